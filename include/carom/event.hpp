@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "carom/vec2.hpp"
+
+namespace carom {
+
+/// What happened in a step. Rules, sounds and effects read only these (spec §2).
+enum class EventKind : std::uint8_t {
+  pair,       ///< two balls collided (§1.2.3); a triple gives three of these (§1.2.4)
+  cushion,    ///< a ball was thrown back by an edge (§1.2.2)
+  floor,      ///< the same by the bottom edge under gravity (§2.2.3)
+  wall,       ///< by an obstacle's wall (§2.2.5)
+  cap,        ///< by an obstacle's rounded top (§2.2.5)
+  damage,     ///< a shock wore a ball down; follows the collision it belongs to (§2.2.3)
+  pocketed,   ///< a ball fell into a hole (§1.2.5)
+  destroyed,  ///< a ball's solidity went below zero; follows its damage (§2.1.1)
+  left,       ///< a ball left by an open side (§2.1.3)
+};
+
+enum class Side : std::uint8_t { left, right, bottom, top };
+
+struct Event {
+  EventKind kind = EventKind::pair;
+  std::uint32_t ball = 0;  ///< id of the ball; of a pair the first
+  /// pair: id of the second ball. cushion, floor: the Side. wall, cap: index of the obstacle.
+  /// pocketed: index of the hole. Otherwise 0.
+  std::uint32_t other = 0;
+  Vec2 position{};  ///< px, where: the ball's centre, for a pair the point of contact
+  /// px/s. pair: the deviation dv of the exchange (the first ball loses it, the second gains it).
+  /// cushion, floor, wall, cap: the whole change of the ball's velocity, zero if it was parting.
+  Vec2 deviation{};
+  double damage = 0;    ///< damage: the solidity lost, ds
+  double solidity = 0;  ///< damage: the solidity left, negative when it broke the ball
+
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+}  // namespace carom

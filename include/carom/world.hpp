@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "carom/event.hpp"
+#include "carom/result.hpp"
+#include "carom/scene.hpp"
+#include "carom/vec2.hpp"
+
+namespace carom {
+
+inline constexpr double time_step = 0.01;     ///< s, dt (§1.2.1)
+inline constexpr int steps_per_second = 100;  ///< 1 / time_step
+inline constexpr double rest_speed = 30;      ///< px/s, vmin: slower counts as standing (§1.4.1)
+inline constexpr int max_sub_steps = 64;      ///< of one step, for fast balls (spec §2)
+
+/// Balls, holes, obstacles and edges in motion (§1.1.4, §1.2, §2.2). A plain value: copy it to keep
+/// a state. The same scene and the same calls give the same bits everywhere.
+///
+/// Balls live in an array; one that goes out of play is swapped with the last and dropped, so an
+/// index is good until the next step() only, an id for ever (§1.1.4). The lead (cue ball or
+/// projectile) is the exception: it stays at index 0 and waits, out of play, for place_lead().
+class World {
+ public:
+  /// Refuses a scene that check() finds anything wrong with.
+  static Result<World> create(Scene scene);
+
+  /// Advances by time_step (§1.2.1, spec §2) and returns what happened, in order. The span is good
+  /// until the next step() or the world's end.
+  std::span<const Event> step();
+
+  /// The world's fixed part: size, edges, friction, holes, obstacles, … Its `balls` are empty.
+  const Scene& scene() const { return scene_; }
+
+  /// Slots in the array, a lead out of play included: indices run from 0 to this, exclusive.
+  std::size_t size() const { return balls_.size(); }
+  /// The ball at an index < size().
+  const Ball& ball(std::size_t index) const { return balls_[index]; }
+  /// False only for a lead that waits to be placed.
+  bool in_play(std::size_t index) const { return index != 0 || !lead_out_; }
+  /// Balls in play.
+  std::size_t balls_left() const { return balls_.size() - (lead_out_ ? 1 : 0); }
+  /// Whether ball 0 is a cue ball or a projectile.
+  bool has_lead() const { return !balls_.empty() && is_lead(balls_[0].role); }
+
+  /// Steps taken since create().
+  std::uint64_t steps() const { return steps_; }
+
+  /// Every ball is slower than rest_speed and none is being pulled by a hole (§1.4.1).
+  bool at_rest() const;
+
+  /// Gives a ball in play a velocity, px/s. Refuses a wrong index, NaN, infinities and more than
+  /// max_speed.
+  Status set_velocity(std::size_t index, Vec2 velocity);
+
+  /// Puts the lead, in or out of play, at `position` (px), at rest (§1.4.1, §2.3.1). Refuses a
+  /// world without one, NaN, infinities, coordinates beyond max_quantity, a place inside an
+  /// obstacle or sticking out of a solid edge.
+  Status place_lead(Vec2 position);
+
+  /// All speeds become zero (end of a turn, §1.4.1).
+  void stop();
+
+  /// 64-bit FNV-1a over the canonical state: one byte (1: the lead is out of play), the number of
+  /// balls in play as 64 bits, then in index order for each ball in play its id (32 bits), role
+  /// (8 bits), position, velocity, acceleration, radius and solidity (64 bits each). Little-endian,
+  /// -0.0 as 0.0.
+  std::uint64_t state_hash() const;
+
+ private:
+  explicit World(Scene scene);
+
+  Scene scene_;
+  std::vector<Ball> balls_;
+  bool lead_out_ = false;
+  std::uint64_t steps_ = 0;
+  std::vector<Event> events_;
+  std::vector<std::uint8_t> gone_;  ///< by index: went out of play in this sub-step
+
+  friend class Stepper;
+};
+
+}  // namespace carom

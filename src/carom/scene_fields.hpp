@@ -1,0 +1,133 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "carom/scene.hpp"
+
+namespace carom {
+
+// What a scene file is made of: for every kind of object its keys, in the order in which they are
+// written. Reading, checking and writing all go by these tables.
+
+inline constexpr std::size_t max_name_bytes = 200;
+inline constexpr int format_version = 1;
+
+/// The numbers a field takes.
+struct Range {
+  enum class Low { included, excluded };
+
+  double low = 0;
+  Low low_is = Low::included;
+  double high = std::numeric_limits<double>::max();
+  std::string_view note;  ///< shown in brackets, mostly the unit
+};
+
+bool contains(const Range& range, double number);
+
+inline constexpr Range size_range{0, Range::Low::excluded, max_quantity, "px"};
+inline constexpr Range coordinate_range{-max_quantity, Range::Low::included, max_quantity, "px"};
+inline constexpr Range velocity_range{-max_speed, Range::Low::included, max_speed, "px/s"};
+inline constexpr Range acceleration_range{0, Range::Low::included, max_quantity, "px/s²"};
+inline constexpr Range friction_range{0, Range::Low::excluded, 1, ""};
+inline constexpr Range damage_range{0, Range::Low::included, std::numeric_limits<double>::max(),
+                                    ""};
+inline constexpr Range solidity_range{0, Range::Low::included, infinite_solidity,
+                                      "left out: infinite"};
+
+/// A key of the object that a T is in a file.
+template <class T>
+struct Field {
+  std::string_view name;
+  bool required = false;
+  /// Where a number goes, and which numbers; null for what is no number.
+  double& (*number)(T&) = nullptr;
+  Range range = {};
+  /// What is expected where no number is.
+  std::string_view expected = {};
+  /// Where an edge goes; null for what is none.
+  Edge T::*edge = nullptr;
+
+  double value(const T& object) const {
+    return number(const_cast<T&>(object));  // `number` writes nothing
+  }
+};
+
+/// What a field takes, for messages.
+std::string expectation(const Range& range);
+template <class T>
+std::string expectation(const Field<T>& field) {
+  return field.number ? expectation(field.range) : std::string(field.expected);
+}
+
+/// The index of the key `name`, or the number of keys if there is none.
+template <class T, std::size_t count>
+constexpr std::size_t index_of(const Field<T> (&fields)[count], std::string_view name) {
+  std::size_t index = 0;
+  while (index < count && fields[index].name != name) ++index;
+  return index;
+}
+
+static_assert(max_name_bytes == 200 && max_throws == 1000 && format_version == 1,
+              "the texts below say so");
+
+inline constexpr Field<Scene> scene_fields[] = {
+    {.name = "carom", .required = true, .expected = "1, the version of the format"},
+    {.name = "name", .expected = "a text of at most 200 bytes"},
+    {"width", true, [](Scene& s) -> double& { return s.width; }, size_range},
+    {"height", true, [](Scene& s) -> double& { return s.height; }, size_range},
+    {.name = "edges", .expected = R"(an object such as {"left": "open"})"},
+    {"friction", false, [](Scene& s) -> double& { return s.friction; }, friction_range},
+    {"gravity", false, [](Scene& s) -> double& { return s.gravity; }, acceleration_range},
+    {"hole_pull", false, [](Scene& s) -> double& { return s.hole_pull; }, acceleration_range},
+    {"damage_per_speed", false, [](Scene& s) -> double& { return s.damage_per_speed; },
+     damage_range},
+    {"damage_threshold", false, [](Scene& s) -> double& { return s.damage_threshold; },
+     damage_range},
+    {.name = "throws", .expected = "a whole number from 1 to 1000"},
+    {.name = "holes", .expected = "an array of holes"},
+    {.name = "obstacles", .expected = "an array of obstacles"},
+    {.name = "balls", .required = true, .expected = "an array of balls"},
+};
+
+inline constexpr std::string_view edge_expected = R"("solid" or "open")";
+inline constexpr Field<Edges> edges_fields[] = {
+    {.name = "left", .expected = edge_expected, .edge = &Edges::left},
+    {.name = "right", .expected = edge_expected, .edge = &Edges::right},
+    {.name = "bottom", .expected = edge_expected, .edge = &Edges::bottom},
+    {.name = "top", .expected = edge_expected, .edge = &Edges::top},
+};
+
+inline constexpr Field<Hole> hole_fields[] = {
+    {"x", true, [](Hole& h) -> double& { return h.position.x; }, coordinate_range},
+    {"y", true, [](Hole& h) -> double& { return h.position.y; }, coordinate_range},
+    {"radius", false, [](Hole& h) -> double& { return h.radius; }, size_range},
+};
+
+inline constexpr Field<Obstacle> obstacle_fields[] = {
+    {"x", true, [](Obstacle& o) -> double& { return o.x; }, coordinate_range},
+    {"height", false, [](Obstacle& o) -> double& { return o.height; }, size_range},
+    {"radius", false, [](Obstacle& o) -> double& { return o.radius; }, size_range},
+};
+
+inline constexpr Field<Ball> ball_fields[] = {
+    {"x", true, [](Ball& b) -> double& { return b.position.x; }, coordinate_range},
+    {"y", true, [](Ball& b) -> double& { return b.position.y; }, coordinate_range},
+    {"vx", false, [](Ball& b) -> double& { return b.velocity.x; }, velocity_range},
+    {"vy", false, [](Ball& b) -> double& { return b.velocity.y; }, velocity_range},
+    {"radius", false, [](Ball& b) -> double& { return b.radius; }, size_range},
+    {"solidity", false, [](Ball& b) -> double& { return b.solidity; }, solidity_range},
+    {.name = "role", .expected = R"("neutral", "cue", "red", "enemy" or "projectile")"},
+};
+
+/// As files name them, in the order of the enumerations.
+inline constexpr std::string_view edge_names[] = {"solid", "open"};
+inline constexpr std::string_view role_names[] = {"neutral", "cue", "red", "enemy", "projectile"};
+
+/// The radius of a ball that gives none.
+constexpr double radius_left_out(Role role) {
+  return role == Role::cue ? default_cue_radius : default_radius;
+}
+
+}  // namespace carom

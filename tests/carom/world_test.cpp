@@ -1,0 +1,156 @@
+#include "carom/world.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "carom/trace.hpp"
+#include "worlds.hpp"
+
+namespace {
+
+using carom::Vec2;
+using carom::World;
+using worlds::ball;
+using worlds::make;
+using worlds::table;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+carom::Scene cue_table() {
+  carom::Scene scene = table({ball({200, 200}), ball({400, 200})});
+  scene.balls[0].role = carom::Role::cue;
+  return scene;
+}
+
+TEST(World, RefusesAVelocityAndKeepsItsState) {
+  World world = make(cue_table());
+  const auto before = world.state_hash();
+  for (const Vec2 wrong : {Vec2{nan, 0}, Vec2{0, inf}, Vec2{-inf, 0}, Vec2{100'001, 0},
+                           Vec2{80'000, 80'000}, Vec2{1e300, 1e300}}) {
+    EXPECT_FALSE(world.set_velocity(0, wrong)) << wrong.x;
+    EXPECT_EQ(world.state_hash(), before);
+  }
+  EXPECT_FALSE(world.set_velocity(2, {1, 0})) << "no such ball";
+  EXPECT_TRUE(world.set_velocity(0, {100'000, 0}));
+  EXPECT_NE(world.state_hash(), before);
+}
+
+TEST(World, RefusesAPlaceAndKeepsItsState) {
+  carom::Scene scene = cue_table();
+  scene.obstacles = {{.x = 600, .height = 100, .radius = 10}};
+  World world = make(scene);
+  const auto before = world.state_hash();
+  for (const Vec2 wrong : {Vec2{nan, 100}, Vec2{100, inf}, Vec2{9.99, 200}, Vec2{200, 390.1},
+                           Vec2{600, 50}, Vec2{600, 115}, Vec2{2e9, 100}}) {
+    EXPECT_FALSE(world.place_lead(wrong)) << wrong.x << ' ' << wrong.y;
+    EXPECT_EQ(world.state_hash(), before);
+  }
+  EXPECT_TRUE(world.place_lead({10, 200})) << "touching a cushion is fine";
+  EXPECT_FALSE(make(table({ball({100, 100})})).place_lead({200, 200})) << "no lead";
+}
+
+TEST(World, RefusesAWrongScene) {
+  carom::Scene scene = table({ball({200, 200}, {nan, 0})});
+  EXPECT_FALSE(World::create(scene));
+  scene = table({ball({200, 200}, {0, 0}, -1)});
+  EXPECT_FALSE(World::create(scene));
+  scene = table({});
+  scene.friction = 1.5;
+  const auto refused = World::create(scene);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.errors().front().pointer, "/friction");
+}
+
+TEST(World, RefusesMoreThanTenMillionBalls) {
+  carom::Scene scene = table({});
+  scene.balls.assign(carom::max_balls + 1, ball({200, 200}));
+  EXPECT_FALSE(World::create(std::move(scene)));
+}
+
+TEST(World, IsAValue) {
+  World world = make(cue_table());
+  ASSERT_TRUE(world.set_velocity(0, {700, 20}));
+  World copy = world;
+  for (int i = 0; i < 100; ++i) world.step();
+  for (int i = 0; i < 100; ++i) copy.step();
+  EXPECT_EQ(copy.state_hash(), world.state_hash());
+  EXPECT_EQ(copy.steps(), 100U);
+}
+
+TEST(World, StopMakesAllSpeedsZero) {
+  World world = make(cue_table());
+  ASSERT_TRUE(world.set_velocity(1, {700, 20}));
+  EXPECT_FALSE(world.at_rest());
+  world.stop();
+  EXPECT_TRUE(world.at_rest());
+  EXPECT_EQ(world.ball(1).velocity, (Vec2{}));
+}
+
+TEST(World, RestsBelowRestSpeedOnly) {
+  World world = make(cue_table());
+  ASSERT_TRUE(world.set_velocity(0, {30, 0}));
+  EXPECT_FALSE(world.at_rest());
+  ASSERT_TRUE(world.set_velocity(0, {29.999, 0}));
+  EXPECT_TRUE(world.at_rest());
+}
+
+// By the recipe in the header, a world without balls feeds nine zero bytes.
+TEST(StateHash, IsFnv1a) {
+  World world = make(table({}));
+  std::uint64_t expected = 0xcbf29ce484222325;
+  for (int byte = 0; byte < 9; ++byte) expected *= 0x100000001b3;
+  EXPECT_EQ(world.state_hash(), expected);
+}
+
+TEST(StateHash, DoesNotSeeTheSignOfZero) {
+  World a = make(table({ball({100, 100}, {0.0, 5})}));
+  World b = make(table({ball({100, 100}, {-0.0, 5})}));
+  EXPECT_EQ(a.state_hash(), b.state_hash());
+}
+
+TEST(StateHash, SeesEveryField) {
+  const carom::Scene scene = table({ball({100, 100}, {3, 5})});
+  const auto original = make(scene).state_hash();
+  auto changed = [&](auto change) {
+    carom::Scene other = scene;
+    change(other.balls[0]);
+    return make(other).state_hash() != original;
+  };
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.position.x += 1e-13; }));
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.position.y += 1e-13; }));
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.velocity.x += 1e-15; }));
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.velocity.y += 1e-15; }));
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.radius += 1e-14; }));
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.solidity = 7; }));
+  EXPECT_TRUE(changed([](carom::Ball& b) { b.role = carom::Role::enemy; }));
+}
+
+TEST(Trace, HasTheFormOfTheSpec) {
+  carom::Scene scene = table({ball({100, 200}, {500, 0}), ball({121, 200})});
+  scene.balls[1].solidity = 3000;
+  World world = make(scene);
+  std::string out;
+  carom::append_trace_line(out, world, {});
+  EXPECT_EQ(out, "{\"step\":0,\"hash\":\"" + carom::hash_text(world.state_hash()) +
+                     "\",\"balls\":["
+                     R"({"id":0,"x":100,"y":200,"vx":500,"vy":0,"ax":0,"ay":0,"radius":10,)"
+                     R"("solidity":null},)"
+                     R"({"id":1,"x":121,"y":200,"vx":0,"vy":0,"ax":0,"ay":0,"radius":10,)"
+                     R"("solidity":3000}],"events":[]})"
+                     "\n");
+  out.clear();
+  carom::append_trace_line(out, world, world.step());
+  EXPECT_NE(out.find(R"("events":[{"kind":"pair","a":0,"b":1,"dv":[497.5,0]},)"
+                     R"({"kind":"damage","ball":1,"ds":1990,"solidity":1010}]})"),
+            std::string::npos)
+      << out;
+}
+
+TEST(Trace, WritesHashesInSixteenDigits) {
+  EXPECT_EQ(carom::hash_text(0x1f), "000000000000001f");
+  EXPECT_EQ(carom::hash_text(0xfedcba9876543210), "fedcba9876543210");
+}
+
+}  // namespace
