@@ -1,0 +1,109 @@
+#include "games/angry_balls.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "games/launch.hpp"
+
+namespace games::angry_balls {
+
+carom::Errors check_level(const carom::Scene& scene) {
+  carom::Errors errors;
+  if (scene.balls.empty() || scene.balls[0].role != carom::Role::projectile)
+    errors.push_back({.pointer = "/balls",
+                      .problem = "have no projectile",
+                      .expected = "the first ball to have the role \"projectile\""});
+  if (std::ranges::count(scene.balls, carom::Role::enemy, &carom::Ball::role) == 0)
+    errors.push_back({.pointer = "/balls",
+                      .problem = "have no enemy",
+                      .expected = "at least one ball with the role \"enemy\""});
+  return errors;
+}
+
+carom::Result<Game> Game::create(carom::Scene level) {
+  auto world = carom::World::create(level);
+  if (!world) return world.errors();
+  carom::Errors errors = check_level(level);
+  if (!errors.empty()) return errors;
+  return Game(std::move(level), std::move(world).value());
+}
+
+Game::Game(carom::Scene level, carom::World world)
+    : level_(std::move(level)), world_(std::move(world)), throws_left_(level_.throws) {}
+
+carom::Status Game::apply(const Command& command) {
+  if (const auto* shot = std::get_if<Throw>(&command)) return launch(shot->drag);
+  if (std::holds_alternative<Next>(command)) return next();
+  *this = Game(level_, carom::World::create(level_).value());
+  return carom::Done{};
+}
+
+carom::Status Game::launch(carom::Vec2 drag) {
+  if (phase_ != Phase::aim)
+    return carom::Error{.pointer = "throw",
+                        .problem = "is out of turn",
+                        .expected = "the projectile at the launch place"};
+  if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
+  phase_ = Phase::fly;
+  --throws_left_;
+  turn_balls_ = 0;
+  turn_steps_ = 0;
+  return carom::Done{};
+}
+
+carom::Status Game::next() {
+  if (phase_ != Phase::offer)
+    return carom::Error{.pointer = "next",
+                        .problem = "is out of turn",
+                        .expected = "a throw that has come to rest"};
+  if (throws_left_ == 0) {
+    phase_ = Phase::lost;
+    events_ = {{.kind = EventKind::lost}};
+    return carom::Done{};
+  }
+  if (carom::Status placed = world_.place_lead(launch_place()); !placed) return placed;
+  phase_ = Phase::aim;
+  return carom::Done{};
+}
+
+int Game::enemies_left() const {
+  int count = 0;
+  for (std::size_t i = 0; i < world_.size(); ++i)
+    if (world_.ball(i).role == carom::Role::enemy) ++count;
+  return count;
+}
+
+void Game::step() {
+  events_.clear();
+  physics_.clear();
+  if (phase_ != Phase::fly && phase_ != Phase::offer) return;
+  const auto happened = world_.step();
+  physics_.assign(happened.begin(), happened.end());
+  ++turn_steps_;
+  score_lost_balls();
+  if (enemies_left() == 0) {
+    phase_ = Phase::won;
+    events_.push_back({.kind = EventKind::won});
+  } else if (phase_ == Phase::fly && (world_.at_rest() || turn_steps_ >= offer_steps)) {
+    phase_ = Phase::offer;
+    events_.push_back({.kind = EventKind::offered});
+  }
+}
+
+// Every ball but the projectile counts, in the order in which they go (§2.3.1).
+void Game::score_lost_balls() {
+  for (const carom::Event& event : physics_) {
+    const bool gone = event.kind == carom::EventKind::destroyed ||
+                      event.kind == carom::EventKind::left ||
+                      event.kind == carom::EventKind::pocketed;
+    if (!gone || event.ball == 0) continue;
+    const int points = points_for(++turn_balls_);
+    score_ += points;
+    events_.push_back({.kind = EventKind::scored,
+                       .ball = event.ball,
+                       .points = points,
+                       .position = event.position});
+  }
+}
+
+}  // namespace games::angry_balls

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "carom/event.hpp"
+#include "carom/result.hpp"
+#include "carom/scene.hpp"
+#include "carom/vec2.hpp"
+#include "carom/world.hpp"
+
+/// Angry Balls (§2.3, spec §8): a state machine like billiards. A level is a scene with a
+/// projectile and at least one enemy; the projectile's place in it is the launch place.
+namespace games::angry_balls {
+
+/// After this many steps (30 simulated seconds) the next throw is offered, whatever still moves.
+inline constexpr std::uint64_t offer_steps = 3000;
+
+enum class Phase : std::uint8_t {
+  aim,    ///< waiting for Throw; the level stands still
+  fly,    ///< the level moves
+  offer,  ///< it goes on moving, and Next is allowed
+  won,    ///< no enemy is left
+  lost,   ///< the last throw is over, and an enemy is left
+};
+
+/// Throws the projectile. `drag` (px): from the first click to the second (launch_velocity).
+struct Throw {
+  carom::Vec2 drag;
+};
+/// Ends the turn. The projectile is back at the launch place, or the level lost after the last
+/// throw.
+struct Next {};
+/// The level from its start, at any time.
+struct Restart {};
+using Command = std::variant<Throw, Next, Restart>;
+
+enum class EventKind : std::uint8_t {
+  scored,   ///< `ball` was destroyed, or left the level, for `points`
+  offered,  ///< Next is allowed from now on
+  won,
+  lost,
+};
+
+struct Event {
+  EventKind kind = EventKind::scored;
+  std::uint32_t ball = 0;  ///< scored: its id
+  int points = 0;          ///< scored
+  carom::Vec2 position{};  ///< scored: px, where the ball was last
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+/// What keeps a sound scene from being a level: no projectile, no enemy. Empty when nothing does.
+carom::Errors check_level(const carom::Scene& scene);
+
+class Game {
+ public:
+  /// Refuses what carom::check or check_level finds wrong.
+  static carom::Result<Game> create(carom::Scene level);
+
+  /// Refuses, changing nothing, what the phase does not allow, and a drag that is zero or not
+  /// finite.
+  carom::Status apply(const Command& command);
+
+  /// Advances by carom::time_step in phases fly and offer; otherwise does nothing. Afterwards
+  /// physics_events() and events() tell what happened.
+  void step();
+
+  Phase phase() const { return phase_; }
+  const carom::World& world() const { return world_; }
+  const carom::Scene& level() const { return level_; }  ///< as it was at the start
+  carom::Vec2 launch_place() const { return level_.balls[0].position; }
+  int throws_left() const { return throws_left_; }  ///< the one in flight no longer counts
+  int enemies_left() const;
+  int score() const { return score_; }
+  int turn_balls() const { return turn_balls_; }  ///< destroyed or gone in this turn
+
+  /// Events of the last step(): the world's, and what the rules made of them.
+  std::span<const carom::Event> physics_events() const { return physics_; }
+  std::span<const Event> events() const { return events_; }
+
+ private:
+  Game(carom::Scene level, carom::World world);
+  carom::Status launch(carom::Vec2 drag);
+  carom::Status next();
+  void score_lost_balls();
+
+  carom::Scene level_;
+  carom::World world_;
+  Phase phase_ = Phase::aim;
+  int throws_left_;
+  int score_ = 0;
+  int turn_balls_ = 0;
+  std::uint64_t turn_steps_ = 0;
+  std::vector<carom::Event> physics_;
+  std::vector<Event> events_;
+};
+
+}  // namespace games::angry_balls

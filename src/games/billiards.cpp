@@ -1,0 +1,139 @@
+#include "games/billiards.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "games/launch.hpp"
+
+namespace games::billiards {
+
+namespace {
+
+carom::Error refusal(std::string what, std::string problem, std::string expected) {
+  return {
+      .pointer = std::move(what), .problem = std::move(problem), .expected = std::move(expected)};
+}
+
+}  // namespace
+
+carom::Scene rack() {
+  carom::Scene scene;
+  scene.name = "Billiards";
+  const double inset = carom::default_radius;
+  for (const double y : {inset, scene.height - inset})
+    for (const double x : {inset, scene.width / 2, scene.width - inset})
+      scene.holes.push_back({.position = {x, y}});
+
+  scene.balls.push_back(
+      {.role = carom::Role::cue, .position = cue_start, .radius = carom::default_cue_radius});
+  const double spacing = 1.01 * 2 * carom::default_radius;
+  const double row_distance = spacing * (std::sqrt(3.0) / 2);
+  for (int row = 0; row < rows; ++row)
+    for (int n = 0; n <= row; ++n)
+      scene.balls.push_back(
+          {.role = carom::Role::red,
+           .position = apex_start + carom::Vec2{row * row_distance, (n - row / 2.0) * spacing}});
+  return scene;
+}
+
+// The rack is sound: the test that plays it would not start otherwise.
+Game::Game() : world_(carom::World::create(rack()).value()) {}
+
+carom::Status Game::apply(const Command& command) {
+  if (const auto* shot = std::get_if<Shoot>(&command)) return shoot(shot->drag);
+  if (const auto* placement = std::get_if<Place>(&command)) return place(placement->position);
+  *this = Game();
+  return carom::Done{};
+}
+
+carom::Status Game::shoot(carom::Vec2 drag) {
+  if (phase_ != Phase::aim)
+    return refusal("shoot", "is out of turn", "the cue ball at rest, waiting for its shot");
+  if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
+  phase_ = Phase::roll;
+  turn_steps_ = 0;
+  return carom::Done{};
+}
+
+Obstruction Game::obstruction(carom::Vec2 position) const {
+  const double r = world_.ball(0).radius;
+  const carom::Scene& table = world_.scene();
+  // Written so that NaN does not pass.
+  if (!(position.x >= r && position.x <= table.width - r && position.y >= r &&
+        position.y <= table.height - r))
+    return Obstruction::cushion;
+  const auto overlaps = [&](carom::Vec2 centre, double radius) {
+    return carom::length_squared(centre - position) < (radius + r) * (radius + r);
+  };
+  for (const carom::Hole& hole : table.holes)
+    if (overlaps(hole.position, hole.radius)) return Obstruction::hole;
+  for (std::size_t i = 1; i < world_.size(); ++i)
+    if (overlaps(world_.ball(i).position, world_.ball(i).radius)) return Obstruction::ball;
+  return Obstruction::none;
+}
+
+carom::Status Game::place(carom::Vec2 position) {
+  if (phase_ != Phase::place) return refusal("place", "is out of turn", "the cue ball in hand");
+  if (obstruction(position) != Obstruction::none)
+    return refusal("position", "is not free", "a place clear of balls, holes and cushions");
+  if (carom::Status placed = world_.place_lead(position); !placed) return placed;
+  phase_ = Phase::aim;
+  return carom::Done{};
+}
+
+int Game::reds_left() const { return static_cast<int>(world_.size()) - 1; }
+
+std::optional<int> Game::winner() const {
+  if (phase_ != Phase::over || scores_[0] == scores_[1]) return std::nullopt;
+  return scores_[0] > scores_[1] ? 0 : 1;
+}
+
+void Game::step() {
+  events_.clear();
+  physics_.clear();
+  if (phase_ != Phase::roll) return;
+  std::vector<std::uint32_t> ids;
+  for (std::size_t i = 0; i < world_.size(); ++i) ids.push_back(world_.ball(i).id);
+  const auto happened = world_.step();
+  physics_.assign(happened.begin(), happened.end());
+  ++turn_steps_;
+  score_pocketed(ids);
+
+  const bool cue_fell = !world_.in_play(0);
+  if (cue_fell) events_.push_back({.kind = EventKind::cue_pocketed, .player = player_});
+  if (reds_left() == 0) {
+    phase_ = Phase::over;
+    events_.push_back({.kind = EventKind::over, .player = player_});
+  } else if (cue_fell) {
+    // The other balls keep their speeds and wait for the next shot (§1.4.1).
+    phase_ = Phase::place;
+    pass_turn();
+  } else if (world_.at_rest() || turn_steps_ >= max_turn_steps) {
+    world_.stop();
+    phase_ = Phase::aim;
+    pass_turn();
+  }
+}
+
+// Reds that fall in the same step count in index order (spec §7), whatever holes they fall into.
+void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
+  for (const std::uint32_t id : ids_by_index) {
+    const auto fell = [&](const carom::Event& event) {
+      return event.kind == carom::EventKind::pocketed && event.ball == id;
+    };
+    if (id == 0 || std::ranges::none_of(physics_, fell)) continue;
+    const int points = points_for(++turn_balls_);
+    turn_points_ += points;
+    scores_[static_cast<std::size_t>(player_)] += points;
+    events_.push_back({.kind = EventKind::scored, .player = player_, .ball = id, .points = points});
+  }
+}
+
+void Game::pass_turn() {
+  player_ = 1 - player_;
+  turn_balls_ = turn_points_ = 0;
+  events_.push_back({.kind = EventKind::turn, .player = player_});
+}
+
+}  // namespace games::billiards

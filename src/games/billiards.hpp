@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "carom/event.hpp"
+#include "carom/result.hpp"
+#include "carom/scene.hpp"
+#include "carom/vec2.hpp"
+#include "carom/world.hpp"
+
+/// Billiards for two (§1.4, spec §7): a state machine. Commands go in by apply(), time by step();
+/// state and events come out.
+namespace games::billiards {
+
+inline constexpr int reds = 36;  ///< in a triangle of 8 rows (§1.4.2)
+inline constexpr int rows = 8;
+inline constexpr carom::Vec2 cue_start{200, 200};   ///< px
+inline constexpr carom::Vec2 apex_start{540, 200};  ///< px, the red nearest the cue ball
+
+/// A turn that still runs after this many steps (2 simulated minutes) ends as if all stood.
+/// Friction ends every turn seen long before; this is the promise that no turn can hang.
+inline constexpr std::uint64_t max_turn_steps = 12'000;
+
+/// The table at the start: 800 × 400 px, six holes, the rack, the cue ball (spec §1, §7).
+carom::Scene rack();
+
+enum class Phase : std::uint8_t {
+  aim,    ///< waiting for Shoot
+  roll,   ///< balls in motion: step() is all there is to do
+  place,  ///< the cue ball fell: waiting for Place; the other balls wait with their speeds
+  over,   ///< only the cue ball is left
+};
+
+/// Launches the cue ball. `drag` (px): from the first click to the second (launch_velocity).
+struct Shoot {
+  carom::Vec2 drag;
+};
+/// Puts the cue ball in hand down. `position`: px.
+struct Place {
+  carom::Vec2 position;
+};
+/// A new game, at any time.
+struct Restart {};
+using Command = std::variant<Shoot, Place, Restart>;
+
+/// Why the cue ball may not be placed somewhere.
+enum class Obstruction : std::uint8_t { none, ball, hole, cushion };
+
+enum class EventKind : std::uint8_t {
+  scored,        ///< `player` pocketed red `ball` for `points`
+  cue_pocketed,  ///< `player`'s turn ends; the next one has the cue ball in hand
+  turn,          ///< `player` is on
+  over,          ///< the game has ended
+};
+
+struct Event {
+  EventKind kind = EventKind::turn;
+  int player = 0;          ///< 0 or 1
+  std::uint32_t ball = 0;  ///< scored: the red's id
+  int points = 0;          ///< scored
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+class Game {
+ public:
+  Game();
+
+  /// Refuses, changing nothing, what the phase does not allow: Shoot outside aim or with a drag
+  /// that is zero or not finite; Place outside place or where obstruction() is not none.
+  carom::Status apply(const Command& command);
+
+  /// Advances by carom::time_step in phase roll; otherwise does nothing. Afterwards
+  /// physics_events() and events() tell what happened.
+  void step();
+
+  /// What stands in the way of the cue ball at `position` (px): it must overlap no ball, no hole
+  /// and no cushion (spec §7). A position that is not finite gives cushion.
+  Obstruction obstruction(carom::Vec2 position) const;
+
+  Phase phase() const { return phase_; }
+  const carom::World& world() const { return world_; }
+  int player() const { return player_; }  ///< who is on: 0 or 1
+  int score(int player) const { return scores_[static_cast<std::size_t>(player)]; }
+  int turn_balls() const { return turn_balls_; }    ///< reds pocketed in this turn
+  int turn_points() const { return turn_points_; }  ///< points made in this turn
+  int reds_left() const;
+  /// Once over: who won; none for a draw (and before the end).
+  std::optional<int> winner() const;
+
+  /// Events of the last step(): the world's, and what the rules made of them.
+  std::span<const carom::Event> physics_events() const { return physics_; }
+  std::span<const Event> events() const { return events_; }
+
+ private:
+  carom::Status shoot(carom::Vec2 drag);
+  carom::Status place(carom::Vec2 position);
+  void score_pocketed(std::span<const std::uint32_t> ids_by_index);
+  void pass_turn();
+
+  carom::World world_;
+  Phase phase_ = Phase::aim;
+  int player_ = 0;
+  std::array<int, 2> scores_{};
+  int turn_balls_ = 0;
+  int turn_points_ = 0;
+  std::uint64_t turn_steps_ = 0;
+  std::vector<carom::Event> physics_;
+  std::vector<Event> events_;
+};
+
+}  // namespace games::billiards

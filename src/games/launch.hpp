@@ -1,0 +1,22 @@
+#pragma once
+
+#include "carom/result.hpp"
+#include "carom/vec2.hpp"
+#include "carom/world.hpp"
+
+namespace games {
+
+inline constexpr double launch_factor = 5;        ///< 1/s, K (§1.4.1)
+inline constexpr double max_launch_speed = 2000;  ///< px/s (§1.2.1)
+
+/// Points of the i-th ball of a turn, i from 1 (§1.4.2, §2.3.1).
+constexpr int points_for(int i) { return 100 * i; }
+
+/// The velocity (px/s) a launch gives: launch_factor · drag, where drag (px) leads from the first
+/// click to the second, its length capped at max_launch_speed (§1.4.1).
+carom::Vec2 launch_velocity(carom::Vec2 drag);
+
+/// Gives the world's lead that velocity. Refuses a drag that is zero or not finite.
+carom::Status launch(carom::World& world, carom::Vec2 drag);
+
+}  // namespace games

@@ -1,0 +1,268 @@
+#include "games/billiards.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+#include <rapidcheck/gtest.h>
+#include <vector>
+
+#include "carom/world.hpp"
+
+namespace {
+
+using carom::Vec2;
+using games::billiards::EventKind;
+using games::billiards::Game;
+using games::billiards::Obstruction;
+using games::billiards::Phase;
+using games::billiards::Place;
+using games::billiards::Restart;
+using games::billiards::Shoot;
+
+/// Runs a turn to its end and returns its events.
+std::vector<games::billiards::Event> roll(Game& game) {
+  std::vector<games::billiards::Event> all;
+  while (game.phase() == Phase::roll) {
+    game.step();
+    all.insert(all.end(), game.events().begin(), game.events().end());
+  }
+  return all;
+}
+
+/// A player without a plan: any direction, any strength, any free place. Repeatable.
+class RandomPlayer {
+ public:
+  explicit RandomPlayer(std::uint32_t seed) : random_(seed) {}
+
+  void command(Game& game) {
+    if (game.phase() == Phase::aim) {
+      ASSERT_TRUE(game.apply(Shoot{{uniform(-400, 400), uniform(-400, 400)}}));
+    } else if (game.phase() == Phase::place) {
+      Vec2 position;
+      do position = {uniform(0, 800), uniform(0, 400)};
+      while (game.obstruction(position) != Obstruction::none);
+      ASSERT_TRUE(game.apply(Place{position}));
+    }
+  }
+
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+// Spec §7.
+TEST(Rack, IsTheTriangleOfTheReport) {
+  const carom::Scene scene = games::billiards::rack();
+  ASSERT_EQ(scene.balls.size(), 37U);
+  EXPECT_EQ(scene.balls[0].position, (Vec2{200, 200}));
+  EXPECT_EQ(scene.balls[0].role, carom::Role::cue);
+  EXPECT_EQ(scene.balls[0].radius, 8);
+  EXPECT_EQ(scene.balls[1].position, (Vec2{540, 200}));
+  EXPECT_EQ(scene.holes.size(), 6U);
+  int touching = 0;
+  for (std::size_t i = 1; i < 37; ++i) {
+    for (std::size_t j = i + 1; j < 37; ++j) {
+      const double distance = carom::length(scene.balls[j].position - scene.balls[i].position);
+      EXPECT_GE(distance, 20) << i << ' ' << j << " overlap";
+      if (distance <= 1.02 * 20) {
+        ++touching;
+        EXPECT_NEAR(distance, 1.01 * 20, 1e-9);
+      }
+    }
+  }
+  EXPECT_EQ(touching, 3 * 28) << "a triangle of 8 rows has 84 contacts";
+}
+
+TEST(Billiards, StartsWithTheFirstPlayerToAim) {
+  const Game game;
+  EXPECT_EQ(game.phase(), Phase::aim);
+  EXPECT_EQ(game.player(), 0);
+  EXPECT_EQ(game.reds_left(), 36);
+  EXPECT_EQ(game.score(0), 0);
+  EXPECT_EQ(game.score(1), 0);
+  EXPECT_FALSE(game.winner());
+}
+
+TEST(Billiards, RefusesWhatThePhaseDoesNotAllow) {
+  Game game;
+  const auto untouched = game.world().state_hash();
+  EXPECT_FALSE(game.apply(Shoot{{0, 0}}));
+  EXPECT_FALSE(game.apply(Shoot{{std::numeric_limits<double>::quiet_NaN(), 0}}));
+  EXPECT_FALSE(game.apply(Shoot{{std::numeric_limits<double>::infinity(), 0}}));
+  EXPECT_FALSE(game.apply(Place{{100, 100}}));
+  EXPECT_EQ(game.world().state_hash(), untouched);
+  EXPECT_EQ(game.phase(), Phase::aim);
+  ASSERT_TRUE(game.apply(Shoot{{10, 0}}));
+  EXPECT_FALSE(game.apply(Shoot{{10, 0}}));
+  EXPECT_EQ(game.phase(), Phase::roll);
+}
+
+TEST(Billiards, StepDoesNothingWhileWaiting) {
+  Game game;
+  game.step();
+  EXPECT_EQ(game.world().steps(), 0U);
+}
+
+TEST(Billiards, TurnsAlternateWhenAllStand) {
+  Game game;
+  ASSERT_TRUE(game.apply(Shoot{{-10, 3}}));
+  const auto events = roll(game);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, EventKind::turn);
+  EXPECT_EQ(events[0].player, 1);
+  EXPECT_EQ(game.phase(), Phase::aim);
+  EXPECT_EQ(game.player(), 1);
+  for (std::size_t i = 0; i < game.world().size(); ++i)
+    EXPECT_EQ(game.world().ball(i).velocity, (Vec2{})) << "all speeds become zero";
+}
+
+/// Shoots the cue ball straight into the corner hole at the origin.
+void pocket_the_cue_ball(Game& game) {
+  ASSERT_TRUE(game.apply(Shoot{Vec2{10, 10} - games::billiards::cue_start}));
+  const auto events = roll(game);
+  ASSERT_EQ(game.phase(), Phase::place);
+  ASSERT_EQ(events[0].kind, EventKind::cue_pocketed);
+  ASSERT_EQ(events[0].player, 0);
+  ASSERT_EQ(events[1].kind, EventKind::turn);
+}
+
+TEST(Billiards, TheNextPlayerPlacesAPocketedCueBall) {
+  Game game;
+  pocket_the_cue_ball(game);
+  EXPECT_EQ(game.player(), 1);
+  EXPECT_EQ(game.reds_left(), 36);
+  EXPECT_FALSE(game.apply(Shoot{{10, 0}})) << "there is nothing to shoot";
+
+  EXPECT_EQ(game.obstruction({540, 200}), Obstruction::ball);
+  EXPECT_EQ(game.obstruction({10, 10}), Obstruction::hole);
+  EXPECT_EQ(game.obstruction({400, 33}), Obstruction::hole);
+  EXPECT_EQ(game.obstruction({400, 35}), Obstruction::none);
+  EXPECT_EQ(game.obstruction({100, 7.9}), Obstruction::cushion);
+  EXPECT_EQ(game.obstruction({100, 8}), Obstruction::none);
+  EXPECT_EQ(game.obstruction({-500, 100}), Obstruction::cushion);
+  EXPECT_EQ(game.obstruction({std::numeric_limits<double>::quiet_NaN(), 100}),
+            Obstruction::cushion);
+  EXPECT_FALSE(game.apply(Place{{540, 200}}));
+  EXPECT_EQ(game.phase(), Phase::place);
+
+  ASSERT_TRUE(game.apply(Place{{300, 100}}));
+  EXPECT_EQ(game.phase(), Phase::aim);
+  EXPECT_EQ(game.player(), 1);
+  EXPECT_EQ(game.world().ball(0).position, (Vec2{300, 100}));
+}
+
+// Spec §7: the other balls keep the speeds they had and go on with the shot.
+TEST(Billiards, TheOtherBallsWaitWithTheirSpeedsForThePlacement) {
+  RandomPlayer player(7);
+  for (int games_played = 0; games_played < 200; ++games_played) {
+    Game game;
+    while (game.phase() != Phase::place && game.phase() != Phase::over) {
+      player.command(game);
+      roll(game);
+    }
+    const carom::World at_foul = game.world();
+    if (at_foul.at_rest()) continue;
+    game.step();
+    EXPECT_EQ(game.world().state_hash(), at_foul.state_hash()) << "the table stands still";
+    player.command(game);
+    for (std::size_t i = 1; i < at_foul.size(); ++i)
+      ASSERT_EQ(game.world().ball(i).velocity, at_foul.ball(i).velocity);
+    return;
+  }
+  FAIL() << "no cue ball was ever pocketed while others moved";
+}
+
+TEST(Billiards, TheIthBallOfATurnMakes100TimesI) {
+  RandomPlayer player(3);
+  int best_turn = 0;
+  for (int n = 0; n < 40; ++n) {
+    Game game;
+    player.command(game);
+    int points = 0;
+    int balls = 0;
+    for (const auto& event : roll(game)) {
+      if (event.kind != EventKind::scored) continue;
+      ++balls;
+      EXPECT_EQ(event.points, 100 * balls);
+      EXPECT_EQ(event.player, 0);
+      points += event.points;
+    }
+    EXPECT_EQ(game.score(0), points);
+    EXPECT_EQ(game.score(1), 0);
+    EXPECT_EQ(game.reds_left(), 36 - balls);
+    EXPECT_EQ(game.turn_balls(), 0) << "the next turn starts at nought";
+    best_turn = std::max(best_turn, balls);
+  }
+  EXPECT_GE(best_turn, 2) << "no turn of these tells 100·i from 100";
+}
+
+TEST(Billiards, RestartsAtAnyTime) {
+  const auto fresh = Game().world().state_hash();
+  Game game;
+  ASSERT_TRUE(game.apply(Shoot{{400, 3}}));
+  for (int i = 0; i < 100; ++i) game.step();
+  ASSERT_TRUE(game.apply(Restart{}));
+  EXPECT_EQ(game.world().state_hash(), fresh);
+  EXPECT_EQ(game.phase(), Phase::aim);
+  EXPECT_EQ(game.player(), 0);
+  pocket_the_cue_ball(game);
+  ASSERT_TRUE(game.apply(Restart{}));
+  EXPECT_EQ(game.world().state_hash(), fresh);
+}
+
+TEST(Billiards, AGameOfARandomPlayerEndsAndIsWonByTheHigherScore) {
+  constexpr int most_turns = 2000;  // eight times what the longest of these 20 games takes
+  int draws = 0;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    RandomPlayer player(seed);
+    Game game;
+    int turns = 0;
+    std::uint64_t longest_turn = 0;
+    while (game.phase() != Phase::over) {
+      ASSERT_LT(++turns, most_turns) << "seed " << seed;
+      const auto before = game.world().steps();
+      player.command(game);
+      roll(game);
+      longest_turn = std::max(longest_turn, game.world().steps() - before);
+    }
+    EXPECT_LT(longest_turn, games::billiards::max_turn_steps) << "the guard never has to act";
+    EXPECT_EQ(game.reds_left(), 0);
+    if (game.winner()) {
+      EXPECT_GT(game.score(*game.winner()), game.score(1 - *game.winner()));
+    } else {
+      ++draws;
+      EXPECT_EQ(game.score(0), game.score(1));
+    }
+    EXPECT_GE(game.score(0) + game.score(1), 3600);
+    EXPECT_FALSE(game.apply(Shoot{{10, 0}})) << "the game is over";
+  }
+  EXPECT_LT(draws, 20);
+}
+
+TEST(Billiards, NoBallEverLeavesTheTableOrTurnsNaNIn1000RandomBreaks) {
+  RandomPlayer player(11);
+  for (int n = 0; n < 1000; ++n) {
+    Game game;
+    player.command(game);
+    while (game.phase() == Phase::roll) {
+      game.step();
+      const carom::World& world = game.world();
+      for (std::size_t i = 0; i < world.size(); ++i) {
+        if (!world.in_play(i)) continue;
+        const carom::Ball& ball = world.ball(i);
+        // Comparisons that NaN fails.
+        ASSERT_TRUE(ball.position.x >= ball.radius && ball.position.x <= 800 - ball.radius &&
+                    ball.position.y >= ball.radius && ball.position.y <= 400 - ball.radius &&
+                    carom::length(ball.velocity) < 1e5)
+            << "break " << n << " step " << world.steps() << " ball " << ball.id;
+      }
+    }
+  }
+}
+
+}  // namespace
