@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "carom/result.hpp"
+
+/// Reading and writing whole files, for the programs at the edge. Errors leave naming the file to
+/// them.
+namespace files {
+
+/// The bytes of a file; "-" is standard input. Refuses what cannot be read and what is larger than
+/// max_file_size.
+carom::Result<std::string> read(const std::filesystem::path& path);
+
+inline constexpr std::size_t max_file_size = std::size_t{4} << 30;  ///< bytes
+
+/// A file written so that its name never stands for half of it: the bytes go aside and take the
+/// name in commit(), after an fsync. Without commit() nothing has changed. "-" is standard output,
+/// written as it comes; so is a device or a pipe.
+class Writer {
+ public:
+  explicit Writer(std::filesystem::path path);
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// After an error the rest does nothing; commit() tells.
+  void write(std::string_view bytes);
+  carom::Status commit();
+
+ private:
+  void fail(const char* what);
+
+  std::filesystem::path path_;
+  std::filesystem::path aside_;  ///< empty when written directly
+  std::FILE* file_ = nullptr;
+  std::string error_;
+};
+
+/// A whole file by way of Writer.
+carom::Status write(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace files

@@ -1,0 +1,58 @@
+#include "tool/check.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "carom/scene_file.hpp"
+#include "games/angry_balls.hpp"
+#include "games/level_check.hpp"
+#include "tool/exit_status.hpp"
+#include "tool/scene_input.hpp"
+
+namespace tool {
+
+namespace {
+
+int check(const std::string& path) {
+  const auto input = read_scene_file(path);
+  if (!input) return report(input.errors(), path);
+  const auto& [bytes, scene] = input.value();
+  carom::Errors errors = games::angry_balls::check_level(scene);
+  if (!errors.empty()) return report(carom::locate(bytes, std::move(errors)), path);
+  for (carom::Error& warning : carom::locate(bytes, games::angry_balls::level_warnings(scene))) {
+    warning.problem = "warning: " + warning.problem;
+    std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
+  }
+  std::printf("%s: ok\n", shown_name(path).c_str());
+  return done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& carom, int& status) {
+  const auto levels = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = carom.add_subcommand("check", "Say what is wrong with a level.");
+  command->add_option("level", *levels, "Level files (JSON); - is standard input")
+      ->required()
+      ->option_text("LEVEL...");
+  command->footer(
+      "Says \"ok\", or every error with line, column, pointer and what was expected. Warns of "
+      "what\n"
+      "a player would hold against a sound level: balls that do not stay where they were put,\n"
+      "enemies that no throw can harm.\n"
+      "Exit status: 0 all levels are sound, warnings or not; 1 some are not, or cannot be read; 2\n"
+      "wrong usage.\n\n"
+      "Examples:\n"
+      "  carom check levels/01-first-steps.json\n"
+      "  carom check levels/*.json");
+  command->callback([levels, &status] {
+    for (const std::string& level : *levels)
+      if (check(level) != done) status = wrong_input;
+  });
+}
+
+}  // namespace tool

@@ -1,0 +1,29 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "tool/check.hpp"
+#include "tool/exit_status.hpp"
+#include "tool/simulate.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App carom{"A deterministic 2D ball-physics engine on the command line.", "carom"};
+  carom.require_subcommand(0, 1);
+  carom.footer(
+      "Examples:\n"
+      "  carom simulate scenes/break.json\n"
+      "  carom check levels/*.json\n"
+      "  carom simulate --help");
+  int status = tool::done;
+  tool::add_simulate(carom, status);
+  tool::add_check(carom, status);
+  try {
+    carom.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return carom.exit(error) == 0 ? tool::done : tool::wrong_usage;
+  }
+  if (carom.get_subcommands().empty()) {
+    std::fputs(carom.help().c_str(), stderr);
+    return tool::wrong_usage;
+  }
+  return status;
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "carom/result.hpp"
+#include "carom/scene.hpp"
+
+namespace tool {
+
+struct SceneInput {
+  std::string bytes;
+  carom::Scene scene;
+};
+
+/// Reads a scene file; "-" is standard input.
+carom::Result<SceneInput> read_scene_file(const std::string& path);
+
+/// A file's name for messages.
+std::string shown_name(const std::string& path);
+
+/// Prints errors of a file to standard error and returns wrong_input.
+int report(const carom::Errors& errors, const std::string& path);
+
+}  // namespace tool

@@ -1,0 +1,190 @@
+#include "tool/simulate.hpp"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unistd.h>
+#include <utility>
+
+#include "carom/trace.hpp"
+#include "carom/world.hpp"
+#include "files/files.hpp"
+#include "tool/exit_status.hpp"
+#include "tool/scene_input.hpp"
+
+namespace tool {
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::optional<std::uint64_t> steps;
+  bool until_rest = false;
+  std::optional<std::pair<double, double>> launch;
+  std::uint64_t max_steps = 1'000'000;
+  std::string trace;
+  bool hash = false;
+  bool quiet = false;
+};
+
+// One line on a terminal, redrawn ten times a second, from one second after the start on.
+class Progress {
+ public:
+  explicit Progress(bool wanted) : wanted_(wanted && ::isatty(STDERR_FILENO)) {}
+  ~Progress() {
+    if (shown_) std::fputs("\r\x1b[K", stderr);
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(std::uint64_t step, std::uint64_t goal, bool goal_is_limit) {
+    if (!wanted_ || Clock::now() < next_) return;
+    next_ = Clock::now() + std::chrono::milliseconds(100);
+    shown_ = true;
+    const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    if (goal_is_limit) {
+      std::fprintf(stderr, "\r\x1b[Kstep %llu, waiting for rest (limit %llu)", number(step),
+                   number(goal));
+    } else {
+      const int filled =
+          static_cast<int>(30.0 * static_cast<double>(step) / static_cast<double>(goal));
+      const std::string bar = std::string(static_cast<std::size_t>(filled), '#');
+      std::fprintf(stderr, "\r\x1b[K[%-30s] step %llu of %llu", bar.c_str(), number(step),
+                   number(goal));
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool wanted_;
+  bool shown_ = false;
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
+};
+
+void summarise(const carom::World& world, std::FILE* out) {
+  const auto steps = static_cast<unsigned long long>(world.steps());
+  std::fprintf(out, "steps       %llu\n", steps);
+  std::fprintf(out, "time        %llu.%02llu s\n", steps / carom::steps_per_second,
+               steps % carom::steps_per_second);
+  std::fprintf(out, "balls left  %zu\n", world.balls_left());
+  std::fprintf(out, "hash        %s\n", carom::hash_text(world.state_hash()).c_str());
+}
+
+int simulate(const Options& options) {
+  auto input = read_scene_file(options.scene);
+  if (!input) return report(input.errors(), options.scene);
+  input.value().bytes = {};
+  auto created = carom::World::create(std::move(input.value().scene));
+  if (!created) return report(created.errors(), options.scene);
+  carom::World& world = created.value();
+  if (options.launch) {
+    if (!world.has_lead())
+      return report({{.problem = "has nothing to throw",
+                      .expected = "a projectile or a cue ball as the first ball"}},
+                    options.scene);
+    const auto& [x, y] = *options.launch;
+    if (const auto launched = world.set_velocity(0, {x, y}); !launched) {
+      report(launched.errors(), "--throw");
+      return wrong_usage;
+    }
+  }
+
+  std::optional<files::Writer> trace;
+  if (!options.trace.empty()) trace.emplace(options.trace);
+  std::string line;
+  const auto trace_step = [&](std::span<const carom::Event> events) {
+    if (!trace) return;
+    line.clear();
+    carom::append_trace_line(line, world, events);
+    trace->write(line);
+  };
+
+  const bool until_rest = !options.steps;
+  const std::uint64_t goal = options.steps.value_or(options.max_steps);
+  trace_step({});
+  {
+    Progress progress(!options.quiet);
+    while (world.steps() < goal && !(until_rest && world.at_rest())) {
+      trace_step(world.step());
+      progress.show(world.steps(), goal, until_rest);
+    }
+  }
+
+  if (trace)
+    if (const carom::Status written = trace->commit(); !written)
+      return report(written.errors(), options.trace);
+
+  // A trace on standard output stays pure; the rest then goes to standard error.
+  std::FILE* out = options.trace == "-" ? stderr : stdout;
+  if (options.hash)
+    std::fprintf(out, "%s\n", carom::hash_text(world.state_hash()).c_str());
+  else if (!options.quiet)
+    summarise(world, out);
+  if (until_rest && !world.at_rest())
+    std::fprintf(stderr, "not at rest after %llu steps, the limit: --max-steps N sets another\n",
+                 static_cast<unsigned long long>(goal));
+  return done;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& carom, int& status) {
+  // CLI11 alone would take -3 for a number near 2^64.
+  const CLI::Validator whole_number(
+      [](const std::string& text) {
+        return text.starts_with('-') ? "must be a whole number from 0 on" : std::string();
+      },
+      {});
+  // Shared with the callback, which runs after this function has returned.
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = carom.add_subcommand("simulate", "Run a scene and tell how it ended.");
+  command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")
+      ->required()
+      ->option_text("SCENE");
+  CLI::Option* steps =
+      command->add_option("--steps", options->steps, "Run exactly N steps of 0.01 s")
+          ->check(whole_number)
+          ->option_text("N");
+  CLI::Option* until_rest =
+      command
+          ->add_flag("--until-rest", options->until_rest,
+                     "Run until every ball is slower than 30 px/s and none is being pulled by a "
+                     "hole (the default)")
+          ->option_text(" ")
+          ->excludes(steps);
+  command
+      ->add_option("--max-steps", options->max_steps,
+                   "With --until-rest: stop after N steps at the latest, and say so")
+      ->check(whole_number)
+      ->option_text("N [1000000]")
+      ->excludes(steps);
+  command
+      ->add_option("--throw", options->launch,
+                   "First give the projectile, or cue ball, this velocity in px/s")
+      ->delimiter(',')
+      ->option_text("VX,VY");
+  command
+      ->add_option("--trace", options->trace,
+                   "Write every step's balls and events as JSON Lines; - is standard output")
+      ->option_text("FILE");
+  command->add_flag("--hash", options->hash, "Print only the final state hash");
+  command->add_flag("--quiet", options->quiet, "Print no summary and no progress");
+  steps->excludes(until_rest);
+  command->footer(
+      "Prints the number of steps, the simulated time, the balls left and the state hash.\n"
+      "Exit status: 0 done; 1 the scene is wrong, or a file cannot be read or written; 2 wrong "
+      "usage.\n\n"
+      "Examples:\n"
+      "  carom simulate scenes/break.json\n"
+      "  carom simulate scenes/hole.json --steps 200 --trace hole.jsonl\n"
+      "  carom simulate levels/01-first-steps.json --throw 775,-70\n"
+      "  carom simulate scenes/break.json --until-rest --trace - --quiet | tail -n 1\n"
+      "  carom simulate - --hash < scenes/three-balls.json");
+  command->callback([options, &status] { status = simulate(*options); });
+}
+
+}  // namespace tool
