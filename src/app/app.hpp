@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/font.hpp"
+#include "app/screen.hpp"
+#include "app/text.hpp"
+
+namespace app {
+
+/// The whole game as a player sees it. The platform owns the loop: it hands in input and time, and
+/// shows what comes out.
+class App {
+ public:
+  /// The window's size in px.
+  App(Language language, int width, int height);
+
+  void event(const Input& input);
+  void iterate(nanoseconds elapsed);
+  /// The picture now; good until the next call.
+  const DrawList& draw();
+  /// The picture's texture, as of the last draw().
+  const Atlas& atlas() const { return font_.atlas(); }
+
+  /// What is on screen, whose turn it is, scores and balls left, in one line: the window's title.
+  std::string describe() const { return screen_->describe(); }
+  /// The picture changes without input; otherwise the platform may sleep.
+  bool animating() const { return screen_->animating(); }
+  bool quit_requested() const { return quit_requested_; }
+
+ private:
+  void go(Transition transition);
+
+  Words words_;
+  View view_;
+  Font font_;
+  DrawList list_;
+  std::unique_ptr<Screen> screen_;
+  bool quit_requested_ = false;
+};
+
+}  // namespace app

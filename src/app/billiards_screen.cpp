@@ -1,0 +1,352 @@
+#include "app/billiards_screen.hpp"
+
+#include "app/aim_view.hpp"
+#include "app/label.hpp"
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+#include "app/table_view.hpp"
+
+namespace app {
+namespace {
+
+namespace billiards = games::billiards;
+using billiards::Obstruction;
+using billiards::Phase;
+
+// The cue ball is small: a click next to it still takes it.
+constexpr double grab_margin = 8;  ///< world px around it
+constexpr float grab_least = 22;   ///< units, the least radius of the target
+
+Text reason(Obstruction obstruction) {
+  switch (obstruction) {
+    case Obstruction::ball:
+      return Text::on_ball;
+    case Obstruction::hole:
+      return Text::on_hole;
+    case Obstruction::cushion:
+      return Text::on_cushion;
+    case Obstruction::none:
+      break;
+  }
+  return Text::hint_place;
+}
+
+}  // namespace
+
+BilliardsScreen::BilliardsScreen(const Words& words) : words_(words), bar_(words) {
+  motion_.record(game_.world());
+  announce_turn(game_.player(), {});
+}
+
+void BilliardsScreen::resize(const View& view) {
+  view_ = view;
+  layout_ = GameLayout::of(view);
+  bar_.resize(view, layout_.bar);
+  const carom::Scene& table = game_.world().scene();
+  viewport_ = Viewport(layout_.world.inset(view.px(8)), {table.width, table.height}, table_margin);
+  if (question_) question_->dialog.resize(view);
+  if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view);
+  pointer_ = viewport_.to_window(billiards::cue_start);
+}
+
+Transition BilliardsScreen::event(const Input& input) {
+  if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
+  if (const auto* press = std::get_if<PointerPressed>(&input)) pointer_ = press->at;
+
+  if (question_) {
+    const auto chosen = question_->dialog.event(input);
+    if (!chosen) return Transition::stay;
+    const UserBar::Command about = question_->about;
+    question_.reset();
+    return *chosen == 0 ? obey(about) : Transition::stay;
+  }
+  if (auto* over = std::get_if<Over>(&state_)) {
+    const auto chosen = over->dialog.event(input);
+    if (!chosen) return Transition::stay;
+    return obey(*chosen == 0 ? UserBar::Command::restart : UserBar::Command::close);
+  }
+  if (const auto command = bar_.event(input)) return request(*command);
+
+  auto* aiming = std::get_if<AimShot>(&state_);
+  if (aiming) aiming->aim.move(viewport_.to_world(pointer_));
+  const auto* press = std::get_if<PointerPressed>(&input);
+  const bool takes_back =
+      (press && press->button == PointerButton::right) || is_key(input, Key::escape);
+  if (takes_back && aiming && aiming->aim.active()) {
+    aiming->aim.cancel();
+  } else if (is_key(input, Key::escape)) {
+    return request(UserBar::Command::close);
+  } else if (is_key(input, Key::r)) {
+    return request(UserBar::Command::restart);
+  } else if (press && press->button == PointerButton::left && !bar_.has_button_at(press->at)) {
+    if (aiming)
+      click(*aiming, press->at);
+    else if (auto* placing = std::get_if<PlaceBall>(&state_))
+      click(*placing, press->at);
+  }
+  return Transition::stay;
+}
+
+void BilliardsScreen::click(AimShot& state, Point at) {
+  if (!state.aim.active()) {
+    state.missed = !on_cue_ball(at);
+    state.refused = false;
+    if (!state.missed) state.aim.begin(viewport_.to_world(at));
+  } else if (state.aim.too_weak()) {
+    state.refused = true;  // a double click loses no turn
+  } else {
+    // Aimed shots are always finite and not zero: the game takes them.
+    if (game_.apply(billiards::Shoot{state.aim.drag()})) follow_phase();
+  }
+}
+
+void BilliardsScreen::click(PlaceBall&, Point at) {
+  // A place that is not free stays shown as such.
+  if (game_.apply(billiards::Place{viewport_.to_world(at)})) follow_phase();
+}
+
+bool BilliardsScreen::on_cue_ball(Point at) const {
+  const carom::Ball& cue = game_.world().ball(0);
+  const float reach = std::max(viewport_.px(cue.radius + grab_margin), view_.px(grab_least));
+  return length(at - viewport_.to_window(cue.position)) <= reach;
+}
+
+/// The table with its wood, window px.
+Rect BilliardsScreen::table_area() const {
+  const carom::Scene& table = game_.world().scene();
+  const Point corner = viewport_.to_window({-table_margin, table.height + table_margin});
+  return {corner.x, corner.y, viewport_.px(table.width + 2 * table_margin),
+          viewport_.px(table.height + 2 * table_margin)};
+}
+
+Transition BilliardsScreen::request(UserBar::Command command) {
+  if (game_.world().steps() == 0) return obey(command);  // nothing to lose
+  const bool restart = command == UserBar::Command::restart;
+  question_ =
+      Question{Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
+                      {{words_(Text::game_is_lost), {}, {}}},
+                      {words_(restart ? Text::new_game : Text::leave), words_(Text::keep_playing)}),
+               command};
+  question_->dialog.resize(view_);
+  return Transition::stay;
+}
+
+Transition BilliardsScreen::obey(UserBar::Command command) {
+  if (command == UserBar::Command::close) return Transition::title;
+  if (game_.apply(billiards::Restart{})) {
+    effects_.clear();
+    turn_points_ = 0;
+    announce_turn(game_.player(), {});
+    follow_phase();
+  }
+  return Transition::stay;
+}
+
+void BilliardsScreen::follow_phase() {
+  motion_.record(game_.world());
+  clock_.reset();
+  switch (game_.phase()) {
+    case Phase::aim:
+      state_ = AimShot{};
+      break;
+    case Phase::roll:
+      turn_points_ = 0;
+      state_ = WatchShot{};
+      break;
+    case Phase::place:
+      state_ = PlaceBall{};
+      break;
+    case Phase::over:
+      state_ = Over{result()};
+      std::get<Over>(state_).dialog.resize(view_);
+      break;
+  }
+}
+
+void BilliardsScreen::iterate(nanoseconds elapsed) {
+  if (question_) return;  // the table waits for the answer
+  effects_.advance(elapsed);
+  if (game_.phase() != Phase::roll) return;
+  for (int due = clock_.advance(elapsed); due > 0 && game_.phase() == Phase::roll; --due) step();
+}
+
+void BilliardsScreen::step() {
+  motion_.record(game_.world());
+  game_.step();
+  const carom::World& world = game_.world();
+  for (const carom::Event& event : game_.physics_events()) {
+    if (event.kind != carom::EventKind::pocketed) continue;
+    const bool cue = event.ball == 0;
+    effects_.sink(event.position, world.scene().holes[event.other].position,
+                  cue ? carom::default_cue_radius : carom::default_radius,
+                  cue ? ivory_ball : red_ball);
+  }
+  for (const billiards::Event& event : game_.events()) note(event);
+  if (game_.phase() != Phase::roll) follow_phase();
+}
+
+void BilliardsScreen::note(const billiards::Event& event) {
+  using billiards::EventKind;
+  switch (event.kind) {
+    case EventKind::scored:
+      turn_points_ += event.points;
+      for (const carom::Event& physics : game_.physics_events())
+        if (physics.kind == carom::EventKind::pocketed && physics.ball == event.ball)
+          effects_.float_up(physics.position, words_(Text::points, {words_.number(event.points)}),
+                            event.player);
+      break;
+    case EventKind::turn: {
+      const std::string before = words_.player(1 - event.player);
+      announce_turn(event.player,
+                    game_.phase() == Phase::place
+                        ? words_(Text::cue_ball_in_hand, {words_.player(event.player)})
+                    : turn_points_ > 0
+                        ? words_(Text::turn_scored, {before, words_.number(turn_points_)})
+                        : words_(Text::turn_nothing, {before}));
+      break;
+    }
+    case EventKind::cue_pocketed:
+    case EventKind::over:
+      break;
+  }
+}
+
+void BilliardsScreen::announce_turn(int player, const std::string& detail) {
+  effects_.announce(words_(Text::turn_of, {words_.player(player)}), detail, player);
+}
+
+Dialog BilliardsScreen::result() const {
+  const std::optional<int> winner = game_.winner();
+  std::vector<Dialog::Line> lines;
+  for (int player = 0; player < 2; ++player)
+    lines.push_back({words_.player(player), words_.number(game_.score(player)), player});
+  return {winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
+          std::move(lines),
+          {words_(Text::play_again), words_(Text::back_to_title)}};
+}
+
+bool BilliardsScreen::animating() const {
+  return !question_ && (game_.phase() == Phase::roll || effects_.active());
+}
+
+void BilliardsScreen::draw(Canvas& canvas) const {
+  const Rect all = canvas.view.area();
+  fill_rounded(canvas.list, all, 0,
+               Paint::vertical(all, palette::slate_top, palette::slate_bottom));
+  draw_table(canvas.list, viewport_, game_.world().scene());
+  effects_.draw_under_balls(canvas.list, viewport_);
+  draw_balls(canvas.list, viewport_, game_.world(), motion_,
+             game_.phase() == Phase::roll ? clock_.fraction() : 1);
+  if (const auto* aiming = std::get_if<AimShot>(&state_)) {
+    if (aiming->aim.active())
+      draw_aim(canvas.list, viewport_, game_.world(), aiming->aim);
+    else
+      draw_invitation(canvas.list);
+  }
+  if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
+  effects_.draw_over_balls(canvas, viewport_, table_area());
+  bar_.draw(canvas, bar_content());
+  draw_footer(canvas);
+  if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
+  if (question_) question_->dialog.draw(canvas);
+}
+
+/// A ring around the cue ball in the player's accent; it opens up under the pointer.
+void BilliardsScreen::draw_invitation(DrawList& list) const {
+  const carom::Ball& cue = game_.world().ball(0);
+  const bool hovered = on_cue_ball(pointer_);
+  stroke_circle(list, viewport_.to_window(cue.position),
+                viewport_.px(cue.radius * (hovered ? 2.0 : 1.7)), viewport_.px(hovered ? 2.4 : 1.4),
+                palette::accents[static_cast<std::size_t>(game_.player())]);
+}
+
+void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
+  if (!table_area().contains(pointer_)) return;
+  DrawList& list = canvas.list;
+  const float r = viewport_.px(game_.world().ball(0).radius);
+  const Obstruction obstruction = game_.obstruction(viewport_.to_world(pointer_));
+  if (obstruction == Obstruction::none) {
+    draw_ball_shadow(list, pointer_, r);
+    draw_ball(list, pointer_, r, ivory_ball);
+    stroke_circle(list, pointer_, r * 1.8f, viewport_.px(2), palette::allowed);
+    return;
+  }
+  // A dark ground first: the sign must stand out among red balls.
+  fill_disc(list, pointer_, r * 2.1f, faded(palette::ink, 0.75f));
+  draw_ball(list, pointer_, r, ivory_ball, 0.6f);
+  dashed_circle(list, pointer_, r * 1.7f, viewport_.px(2.6), 8, palette::refused);
+  const float arm = r * 0.8f;
+  for (const float side : {-1.0f, 1.0f})
+    line(list, pointer_ + Point{-arm, -arm * side}, pointer_ + Point{arm, arm * side},
+         viewport_.px(3.4), rgb(0xc22a1c));
+  pill(canvas, pointer_ - Point{0, r * 1.8f + canvas.px(22)}, table_area(),
+       {Face::bold, 16, palette::refused}, words_(reason(obstruction)));
+}
+
+void BilliardsScreen::draw_footer(Canvas& canvas) const {
+  Rect rest = layout_.footer.inset(canvas.px(16), canvas.px(4));
+  const auto* aiming = std::get_if<AimShot>(&state_);
+  if (aiming && aiming->aim.active()) {
+    Rect meter = canvas.view.narrow() ? rest.cut_top(rest.h / 2)
+                                      : rest.cut_right(std::min(canvas.px(400), rest.w * 0.4f));
+    rest.cut_right(canvas.px(canvas.view.narrow() ? 0 : 16));
+    draw_strength(canvas, meter, aiming->aim, words_);
+  }
+  label(canvas, rest, {Face::regular, 18, hint_color(), Align::center}, hint());
+}
+
+std::string BilliardsScreen::hint() const {
+  if (const auto* aiming = std::get_if<AimShot>(&state_)) {
+    if (aiming->aim.active())
+      return words_(aiming->refused && aiming->aim.too_weak() ? Text::hint_too_weak
+                                                              : Text::hint_shoot);
+    return words_(aiming->missed ? Text::hint_not_cue_ball : Text::hint_take_cue_ball);
+  }
+  if (std::holds_alternative<PlaceBall>(state_)) {
+    const Obstruction obstruction = game_.obstruction(viewport_.to_world(pointer_));
+    if (obstruction != Obstruction::none)
+      return words_(Text::hint_obstructed, {words_(reason(obstruction))});
+    return words_(Text::hint_place);
+  }
+  return std::holds_alternative<WatchShot>(state_) ? words_(Text::hint_watch) : std::string();
+}
+
+Color BilliardsScreen::hint_color() const {
+  if (const auto* aiming = std::get_if<AimShot>(&state_))
+    return aiming->missed ? palette::refused : palette::cream;
+  if (std::holds_alternative<PlaceBall>(state_)) {
+    const bool free = game_.obstruction(viewport_.to_world(pointer_)) == Obstruction::none;
+    return free ? palette::allowed : palette::refused;
+  }
+  return palette::muted;
+}
+
+UserBar::Content BilliardsScreen::bar_content() const {
+  UserBar::Content content;
+  content.scores = {game_.score(0), game_.score(1)};
+  if (game_.phase() != Phase::over) content.on = game_.player();
+  content.balls_left = game_.reds_left();
+  content.turn_points = game_.turn_points();
+  return content;
+}
+
+std::string BilliardsScreen::describe() const {
+  const std::string player = words_.player(game_.player());
+  const std::string now = question_ ? question_->dialog.title() : [&] {
+    switch (game_.phase()) {
+      case Phase::aim:
+        return words_(Text::aiming, {player});
+      case Phase::roll:
+        return words_(Text::watching, {player});
+      case Phase::place:
+        return words_(Text::placing, {player});
+      case Phase::over:
+        break;
+    }
+    return std::get<Over>(state_).dialog.title();
+  }();
+  return words_(Text::state, {words_(Text::product), now, words_.number(game_.score(0)),
+                              words_.number(game_.score(1)), words_.number(game_.reds_left())});
+}
+
+}  // namespace app

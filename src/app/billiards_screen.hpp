@@ -1,0 +1,90 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "app/aim.hpp"
+#include "app/dialog.hpp"
+#include "app/effects.hpp"
+#include "app/motion.hpp"
+#include "app/screen.hpp"
+#include "app/text.hpp"
+#include "app/user_bar.hpp"
+#include "app/viewport.hpp"
+#include "games/billiards.hpp"
+
+namespace app {
+
+/// A game of billiards for two, from the first shot to the end.
+class BilliardsScreen final : public Screen {
+ public:
+  explicit BilliardsScreen(const Words& words);
+
+  void resize(const View& view) override;
+  Transition event(const Input& input) override;
+  void iterate(nanoseconds elapsed) override;
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  bool animating() const override;
+
+  const games::billiards::Game& game() const { return game_; }
+  const Viewport& viewport() const { return viewport_; }
+
+ private:
+  // What the player is doing; it follows the game's phase.
+  struct AimShot {
+    Aim aim;
+    bool missed = false;   ///< the last click was not on the cue ball
+    bool refused = false;  ///< the last click was too near the first
+  };
+  struct WatchShot {};
+  struct PlaceBall {};
+  struct Over {
+    Dialog dialog;
+  };
+  using State = std::variant<AimShot, WatchShot, PlaceBall, Over>;
+
+  /// Asks before a game is given up.
+  struct Question {
+    Dialog dialog;
+    UserBar::Command about;
+  };
+
+  void follow_phase();
+  void step();
+  void note(const games::billiards::Event& event);
+  void announce_turn(int player, const std::string& detail);
+  Dialog result() const;
+
+  Transition obey(UserBar::Command command);
+  Transition request(UserBar::Command command);
+  void click(AimShot& state, Point at);
+  void click(PlaceBall& state, Point at);
+  bool on_cue_ball(Point at) const;
+  Rect table_area() const;
+
+  void draw_invitation(DrawList& list) const;
+  void draw_cue_ball_in_hand(Canvas& canvas) const;
+  void draw_footer(Canvas& canvas) const;
+  std::string hint() const;
+  Color hint_color() const;
+  UserBar::Content bar_content() const;
+
+  Words words_;
+  games::billiards::Game game_;
+  State state_ = AimShot{};
+  std::optional<Question> question_;
+
+  Clock clock_;
+  Motion motion_;
+  Effects effects_;
+  int turn_points_ = 0;  ///< of the turn that is shown; the game forgets them with the turn
+
+  UserBar bar_;
+  View view_;
+  GameLayout layout_;
+  Viewport viewport_;
+  Point pointer_;
+};
+
+}  // namespace app

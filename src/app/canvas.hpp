@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/draw_list.hpp"
+#include "app/font.hpp"
+#include "app/view.hpp"
+
+namespace app {
+
+/// What a screen draws on.
+struct Canvas {
+  DrawList& list;
+  Font& font;
+  const View& view;
+
+  float px(float units) const { return view.px(units); }
+};
+
+}  // namespace app

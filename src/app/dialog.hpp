@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/widgets.hpp"
+
+namespace app {
+
+/// A question in the middle of the window, over everything else, that takes all input.
+class Dialog {
+ public:
+  struct Line {
+    std::string text;
+    std::string score;          ///< set on the right, for a player's line
+    std::optional<int> player;  ///< whose sign stands before it; none: the text is in the middle
+  };
+  /// The first button is the primary one; Esc means the last.
+  Dialog(std::string title, std::vector<Line> lines, std::vector<std::string> buttons);
+
+  void resize(const View& view);
+  /// The button chosen, if any.
+  std::optional<std::size_t> event(const Input& input);
+  void draw(Canvas& canvas) const;
+  const std::string& title() const { return title_; }
+
+ private:
+  std::string title_;
+  std::vector<Line> lines_;
+  Buttons buttons_;
+  Rect panel_;
+};
+
+}  // namespace app

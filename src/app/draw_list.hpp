@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/color.hpp"
+#include "app/geometry.hpp"
+
+namespace app {
+
+struct Vertex {
+  Point position;  ///< window px
+  Point texture;   ///< in the atlas, 0 to 1; (0, 0) is a white texel
+  Color color;     ///< multiplies the atlas
+};
+
+/// What a text or a button covers: for tests of the layout and for assistive tools.
+struct Box {
+  enum class Kind : std::uint8_t { text, button };
+  Kind kind = Kind::text;
+  Rect area;  ///< of a text, what its ink covers
+  std::string text;
+  int text_size = 0;  ///< px, of the em; 0 for a button
+};
+
+/// One frame, all of it: triangles over one texture, back to front.
+struct DrawList {
+  std::vector<Vertex> vertices;
+  std::vector<std::int32_t> indices;  ///< three a triangle
+  std::vector<Box> boxes;
+
+  void clear() {
+    vertices.clear();
+    indices.clear();
+    boxes.clear();
+  }
+  /// Adds a vertex and gives its index.
+  std::int32_t add(Point position, Color color, Point texture = {}) {
+    vertices.push_back({position, texture, color});
+    return static_cast<std::int32_t>(vertices.size()) - 1;
+  }
+  void triangle(std::int32_t a, std::int32_t b, std::int32_t c) {
+    indices.insert(indices.end(), {a, b, c});
+  }
+  void quad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+    indices.insert(indices.end(), {a, b, c, a, c, d});
+  }
+};
+
+}  // namespace app

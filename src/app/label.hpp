@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+
+#include "app/canvas.hpp"
+
+namespace app {
+
+enum class Align : std::uint8_t { left, center, right };
+
+struct TextStyle {
+  Face face = Face::regular;
+  float size = 16;  ///< units, of the em
+  Color color;
+  Align align = Align::left;
+};
+
+/// Writes one line in the middle of a box's height; a line too long for the box is set smaller.
+void label(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_view utf8);
+
+/// How wide the line comes out if it has all the room it wants, px.
+float label_width(const Canvas& canvas, const TextStyle& style, std::string_view utf8);
+
+/// A line on a dark, rounded ground around `middle`, pushed inside `bounds`: legible over anything.
+void pill(Canvas& canvas, Point middle, const Rect& bounds, const TextStyle& style,
+          std::string_view utf8, float opacity = 1);
+
+}  // namespace app

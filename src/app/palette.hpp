@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/color.hpp"
+
+/// Every colour of the game: petrol felt, walnut, brass, on dark slate.
+namespace app::palette {
+
+inline constexpr Color slate_top = rgb(0x1c262e);
+inline constexpr Color slate_bottom = rgb(0x0e1418);
+inline constexpr Color panel = rgb(0x26323b);
+inline constexpr Color panel_edge = rgb(0x3d4d58);
+inline constexpr Color panel_lit = rgb(0x344450);
+inline constexpr Color scrim{6, 10, 13, 150};
+inline constexpr Color shadow{0, 0, 0, 140};
+
+inline constexpr Color cream = rgb(0xf5ecd8);
+inline constexpr Color muted = rgb(0xb4c0c4);
+inline constexpr Color ink = rgb(0x14191d);  ///< text on an accent
+
+inline constexpr Color felt = rgb(0x0d5057);
+inline constexpr Color felt_lit = rgb(0x1f7b7c);
+inline constexpr Color felt_dark = rgb(0x083338);
+inline constexpr Color cushion = rgb(0x14666a);
+inline constexpr Color cushion_lit = rgb(0x2f9391);
+
+inline constexpr Color walnut_lit = rgb(0x8a5732);
+inline constexpr Color walnut = rgb(0x5f381d);
+inline constexpr Color walnut_dark = rgb(0x2b170b);
+
+inline constexpr Color brass_lit = rgb(0xf7e3a4);
+inline constexpr Color brass = rgb(0xc99f4a);
+inline constexpr Color brass_dark = rgb(0x6a4c1b);
+inline constexpr Color pocket_rim = rgb(0x1d1512);
+inline constexpr Color pocket = rgb(0x020303);
+
+inline constexpr Color ivory = rgb(0xfbf5e4);
+inline constexpr Color ivory_shade = rgb(0x8f8468);
+inline constexpr Color red = rgb(0xd0222c);
+inline constexpr Color red_shade = rgb(0x4d0710);
+inline constexpr Color glint = rgb(0xffffff);
+
+inline constexpr Color allowed = rgb(0xa8e6a1);
+inline constexpr Color refused = rgb(0xff7a66);
+
+/// One accent a player, told apart by its marker's shape as well (markers.hpp).
+inline constexpr Color accents[2] = {rgb(0xf4b63f), rgb(0x74c7f2)};
+
+}  // namespace app::palette

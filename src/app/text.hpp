@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+/// Every word the player reads.
+namespace app {
+
+enum class Language : std::uint8_t { english, french };
+
+/// From a POSIX locale's name such as "fr_CA.UTF-8"; English unless it is French.
+Language language_of_locale(std::string_view locale);
+
+enum class Text : std::uint8_t {
+  product,
+  tagline,
+  title_screen,
+  billiards,
+  quit,
+  player,
+  to_play,
+  waiting,
+  balls_left,
+  this_turn,
+  restart,
+  close,
+  hint_take_cue_ball,
+  hint_not_cue_ball,
+  hint_shoot,
+  hint_too_weak,
+  hint_watch,
+  hint_place,
+  hint_obstructed,
+  on_ball,
+  on_hole,
+  on_cushion,
+  speed,
+  speed_capped,
+  points,
+  turn_of,
+  turn_scored,
+  turn_nothing,
+  cue_ball_in_hand,
+  wins,
+  draw,
+  play_again,
+  back_to_title,
+  ask_restart,
+  ask_leave,
+  game_is_lost,
+  new_game,
+  leave,
+  keep_playing,
+  aiming,
+  watching,
+  placing,
+  state,
+  count,
+};
+
+/// The texts of one language.
+class Words {
+ public:
+  explicit Words(Language language) : language_(language) {}
+
+  /// The text, with {0}, {1}, … replaced by the values given.
+  std::string operator()(Text text, std::initializer_list<std::string_view> values = {}) const;
+  /// Thousands set apart as the language does.
+  std::string number(int value) const;
+  /// "Player 1" for 0.
+  std::string player(int player) const;
+
+ private:
+  Language language_;
+};
+
+}  // namespace app

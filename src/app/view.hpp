@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/geometry.hpp"
+
+namespace app {
+
+/// The window's size and the scale of everything drawn in it. Lengths of the interface are written
+/// in units: 1 px when the window is 800 × 600, more in a larger one.
+struct View {
+  float width = 800;   ///< px
+  float height = 600;  ///< px
+  float scale = 1;     ///< px a unit
+
+  static View of(int width, int height);
+
+  float px(float units) const { return std::round(units * scale); }
+  Rect area() const { return {0, 0, width, height}; }
+  /// Too narrow for what otherwise stands side by side.
+  bool narrow() const { return width < 760 * scale; }
+};
+
+/// Where a game's parts stand: the user bar on top, the world between, words to the player below.
+struct GameLayout {
+  Rect bar;
+  Rect world;
+  Rect footer;
+
+  static GameLayout of(const View& view);
+};
+
+}  // namespace app

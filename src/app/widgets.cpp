@@ -1,0 +1,90 @@
+#include "app/widgets.hpp"
+
+#include <utility>
+
+#include "app/label.hpp"
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+
+namespace app {
+
+Buttons::Buttons(std::vector<std::string> labels, std::optional<std::size_t> primary)
+    : primary_(primary) {
+  for (std::string& label : labels) buttons_.push_back({std::move(label), {}});
+}
+
+std::optional<std::size_t> Buttons::find(Point at) const {
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    if (buttons_[i].box.contains(at)) return i;
+  return std::nullopt;
+}
+
+void Buttons::move_focus(std::size_t by) {
+  if (focused_)
+    focused_ = (*focused_ + by) % buttons_.size();
+  else
+    focused_ = primary_.value_or(by == 1 ? 0 : buttons_.size() - 1);
+}
+
+std::optional<std::size_t> Buttons::event(const Input& input) {
+  if (const auto* moved = std::get_if<PointerMoved>(&input)) {
+    hovered_ = find(moved->at);
+  } else if (const auto* press = std::get_if<PointerPressed>(&input)) {
+    focused_.reset();
+    hovered_ = find(press->at);
+    pressed_ = press->button == PointerButton::left ? hovered_ : std::nullopt;
+  } else if (const auto* release = std::get_if<PointerReleased>(&input)) {
+    if (release->button != PointerButton::left) return std::nullopt;
+    const auto pressed = std::exchange(pressed_, std::nullopt);
+    if (pressed && pressed == find(release->at)) return pressed;
+  } else if (const auto* key = std::get_if<KeyPressed>(&input)) {
+    switch (key->key) {
+      case Key::tab:
+      case Key::right:
+      case Key::down:
+        move_focus(1);
+        break;
+      case Key::back_tab:
+      case Key::left:
+      case Key::up:
+        move_focus(buttons_.size() - 1);
+        break;
+      case Key::enter:
+        return focused_ ? focused_ : primary_;
+      case Key::space:
+        return focused_;
+      default:
+        break;
+    }
+  }
+  return std::nullopt;
+}
+
+void Buttons::draw(Canvas& canvas, float text_size) const {
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    const bool primary = primary_ == i;
+    const bool hovered = hovered_ == i;
+    const bool pressed = pressed_ == i && hovered;
+    Color face = primary ? palette::brass : palette::panel_lit;
+    if (hovered) face = mix(face, palette::cream, 0.18f);
+    if (pressed) face = mix(face, palette::ink, 0.3f);
+    Rect box = buttons_[i].box;
+    const float radius = canvas.px(8);
+
+    if (focused_ == i)
+      stroke_rounded(canvas.list, box.inset(-canvas.px(3)), radius + canvas.px(3), canvas.px(2),
+                     palette::cream);
+    fill_rounded(canvas.list, box.moved({0, canvas.px(2)}), radius, faded(palette::ink, 0.6f),
+                 canvas.px(3));
+    if (pressed) box = box.moved({0, canvas.px(1)});
+    fill_rounded(canvas.list, box, radius,
+                 Paint::vertical(box, mix(face, palette::cream, 0.10f), face));
+    stroke_rounded(canvas.list, box.inset(0.5f), radius, 1, faded(palette::cream, 0.22f));
+    label(canvas, box.inset(canvas.px(10), 0),
+          {Face::bold, text_size, primary ? palette::ink : palette::cream, Align::center},
+          buttons_[i].label);
+    canvas.list.boxes.push_back({Box::Kind::button, buttons_[i].box, buttons_[i].label, 0});
+  }
+}
+
+}  // namespace app

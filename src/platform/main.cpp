@@ -1,0 +1,128 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "files/files.hpp"
+#include "platform/null_platform.hpp"
+#include "platform/sdl_platform.hpp"
+
+namespace {
+
+// Exit statuses.
+constexpr int done = 0;
+constexpr int bad_input = 2;
+constexpr int cannot_write = 3;
+constexpr int no_display = 4;
+
+constexpr int least_side = 64;
+constexpr int greatest_side = 8192;
+
+constexpr const char* examples = R"(Examples:
+  angry-balls                       play in a window (F11: full screen)
+  angry-balls --size 1920x1080 --lang fr
+  angry-balls --script demos/billiards.jsonl --screenshot end.png
+  echo '{"at": 1, "click": [100, 420]}' | angry-balls --script -
+
+A script is JSON Lines, one action a line in the order of time ("at", in seconds), points in
+window pixels:
+  {"at": 0.5, "click": [400, 300]}            also "button": "right"
+  {"at": 1, "move": [10, 20]}
+  {"at": 1.5, "key": "Escape"}
+  {"at": 2, "screenshot": "shot.png"}
+It plays without a display, as fast as it can, the same every time; then one line tells what is on
+screen.
+
+Exit status: 0 done, 2 bad command line or script, 3 a file cannot be written, 4 no display.)";
+
+struct Options {
+  std::string script;
+  std::string screenshot;
+  std::pair<int, int> size{1280, 720};
+  std::string language;
+};
+
+/// The language the environment asks for (POSIX: the first of these that is set and not empty).
+std::string environment_locale() {
+  for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
+    if (const char* value = std::getenv(name); value && *value) return value;
+  return {};
+}
+
+/// "1280x720" → 1280, 720; refuses anything else.
+std::pair<int, int> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest) != 2 || width < least_side ||
+      height < least_side || width > greatest_side || height > greatest_side)
+    throw CLI::ValidationError("--size", "is " + text +
+                                             "; expected WIDTHxHEIGHT, each from 64 to "
+                                             "8192 (px), such as 1280x720");
+  return {width, height};
+}
+
+int report(const carom::Errors& errors, std::string_view file, int status) {
+  for (const carom::Error& error : errors)
+    std::cerr << "angry-balls: " << carom::to_string(error, file) << '\n';
+  return status;
+}
+
+int play_script(const Options& options, app::Language language) {
+  const std::string name = options.script == "-" ? "<stdin>" : options.script;
+  const auto text = files::read(options.script);
+  if (!text) return report(text.errors(), name, bad_input);
+  const auto script = platform::parse_script(text.value());
+  if (!script) return report(script.errors(), name, bad_input);
+
+  platform::NullPlatform game(language, options.size.first, options.size.second);
+  if (const auto status = game.run(script.value()); !status)
+    return report(status.errors(), {}, cannot_write);
+  if (!options.screenshot.empty())
+    if (const auto status = game.screenshot(options.screenshot); !status)
+      return report(status.errors(), {}, cannot_write);
+  std::cout << game.app().describe() << '\n';
+  return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App cli("Angry Balls: billiards for two.", "angry-balls");
+  cli.footer(examples);
+  cli.set_version_flag("--version", ANGRY_BALLS_VERSION);
+  auto* script =
+      cli.add_option("--script", options.script,
+                     "Play the inputs in FILE (\"-\": standard input), without a display")
+          ->type_name("FILE");
+  cli.add_option("--screenshot", options.screenshot,
+                 "Write the script's last picture to FILE (PNG)")
+      ->type_name("FILE")
+      ->needs(script);
+  cli.add_option_function<std::string>(
+         "--size", [&](const std::string& text) { options.size = parse_size(text); },
+         "Size of the window, px (default 1280x720)")
+      ->type_name("WxH");
+  cli.add_option("--lang", options.language, "Language: en or fr (default: the environment's)")
+      ->check(CLI::IsMember({"en", "fr"}))
+      ->type_name("en|fr");
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? done : bad_input;
+  }
+
+  const app::Language language =
+      app::language_of_locale(options.language.empty() ? environment_locale() : options.language);
+  if (!options.script.empty()) return play_script(options, language);
+
+  const std::string problem =
+      platform::play_in_window(language, options.size.first, options.size.second);
+  if (problem.empty()) return done;
+  std::cerr << "angry-balls: no display: " << problem
+            << " (a script plays without one: --script FILE)\n";
+  return no_display;
+}

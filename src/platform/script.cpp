@@ -1,0 +1,134 @@
+#include "platform/script.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "carom/scene.hpp"
+
+namespace platform {
+namespace {
+
+using nlohmann::json;
+
+constexpr double longest = 86'400;  ///< s
+constexpr double widest = 100'000;  ///< px
+
+constexpr std::array<std::pair<std::string_view, app::Key>, 10> keys{{
+    {"Return", app::Key::enter},
+    {"Space", app::Key::space},
+    {"Tab", app::Key::tab},
+    {"Shift+Tab", app::Key::back_tab},
+    {"Escape", app::Key::escape},
+    {"Left", app::Key::left},
+    {"Right", app::Key::right},
+    {"Up", app::Key::up},
+    {"Down", app::Key::down},
+    {"R", app::Key::r},
+}};
+
+constexpr std::string_view line_form =
+    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\"";
+
+std::optional<app::Point> point(const json& value) {
+  if (!value.is_array() || value.size() != 2) return std::nullopt;
+  for (const json& number : value)
+    if (!number.is_number() || !(std::abs(number.get<double>()) <= widest)) return std::nullopt;
+  return app::Point{value[0].get<float>(), value[1].get<float>()};
+}
+
+std::optional<app::Key> key(const json& value) {
+  if (!value.is_string()) return std::nullopt;
+  for (const auto& [name, key] : keys)
+    if (value.get_ref<const std::string&>() == name) return key;
+  return std::nullopt;
+}
+
+carom::Error wrong(std::string pointer, const json& value, std::string expected) {
+  return {.pointer = std::move(pointer),
+          .problem = "is " + value.dump(-1, ' ', false, json::error_handler_t::replace),
+          .expected = std::move(expected)};
+}
+
+carom::Result<ScriptLine> parse_line(std::string_view text) {
+  const json line = json::parse(text, nullptr, false);
+  if (line.is_discarded() || !line.is_object())
+    return carom::Error{
+        .pointer = {}, .problem = "is no JSON object", .expected = std::string(line_form)};
+  ScriptLine result;
+  int actions = 0;
+  for (const auto& [name, value] : line.items()) {
+    if (name == "at") {
+      if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= longest))
+        return wrong("/at", value, "a time from 0 to 86400 (s)");
+      result.at = std::chrono::nanoseconds(std::llround(value.get<double>() * 1e9));
+    } else if (name == "click" || name == "move") {
+      const auto at = point(value);
+      if (!at) return wrong("/" + name, value, "a point of the window, [x, y] (px)");
+      ++actions;
+      if (name == "click")
+        result.action = Click{*at};
+      else
+        result.action = Move{*at};
+    } else if (name == "key") {
+      const auto pressed = key(value);
+      if (!pressed)
+        return wrong("/key", value,
+                     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down or R");
+      ++actions;
+      result.action = Press{*pressed};
+    } else if (name == "screenshot") {
+      if (!value.is_string() || value.get_ref<const std::string&>().empty())
+        return wrong("/screenshot", value, "the name of a PNG file to write");
+      ++actions;
+      result.action = Screenshot{value.get<std::string>()};
+    } else if (name != "button") {
+      return carom::Error{.pointer = "/" + name,
+                          .problem = "is an unknown key",
+                          .expected = std::string(line_form)};
+    }
+  }
+  if (!line.contains("at") || actions != 1)
+    return carom::Error{
+        .pointer = {}, .problem = "is " + std::string(text), .expected = std::string(line_form)};
+  if (line.contains("button")) {
+    const json& button = line["button"];
+    auto* click = std::get_if<Click>(&result.action);
+    if (!click || (button != "left" && button != "right"))
+      return wrong("/button", button, "\"left\" or \"right\", beside \"click\"");
+    if (button == "right") click->button = app::PointerButton::right;
+  }
+  return result;
+}
+
+}  // namespace
+
+carom::Result<Script> parse_script(std::string_view text) {
+  Script script;
+  carom::Errors errors;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+
+    auto parsed = parse_line(line);
+    if (parsed && !script.empty() && parsed.value().at < script.back().at)
+      parsed = carom::Error{.pointer = "/at",
+                            .problem = "goes back in time",
+                            .expected = "lines in the order of time"};
+    if (parsed) {
+      script.push_back(std::move(parsed.value()));
+    } else if (errors.size() < carom::max_errors) {
+      carom::Error error = parsed.errors().front();
+      error.line = number;
+      errors.push_back(std::move(error));
+    }
+  }
+  if (!errors.empty()) return errors;
+  return script;
+}
+
+}  // namespace platform

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/input.hpp"
+#include "carom/result.hpp"
+
+namespace platform {
+
+/// What a script does at one moment. Points are in window px.
+struct Click {  ///< moves there, presses and releases
+  app::Point at;
+  app::PointerButton button = app::PointerButton::left;
+};
+struct Move {
+  app::Point to;
+};
+struct Press {
+  app::Key key;
+};
+struct Screenshot {
+  std::string file;
+};
+
+struct ScriptLine {
+  std::chrono::nanoseconds at{};  ///< from the start
+  std::variant<Click, Move, Press, Screenshot> action;
+};
+using Script = std::vector<ScriptLine>;
+
+/// Reads JSON Lines, one action a line, in the order of time; empty lines are skipped:
+///   {"at": 0.5, "click": [400, 300]}        also "button": "right"
+///   {"at": 1, "move": [10, 20]}
+///   {"at": 1.5, "key": "Escape"}
+///   {"at": 2, "screenshot": "shot.png"}
+/// Gives all errors, each with its line.
+carom::Result<Script> parse_script(std::string_view text);
+
+}  // namespace platform

@@ -1,0 +1,256 @@
+#include "platform/sdl_platform.hpp"
+
+#include <SDL.h>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "app/app.hpp"
+
+namespace platform {
+namespace {
+
+using std::chrono::nanoseconds;
+using std::chrono::steady_clock;
+
+constexpr int idle_wait_ms = 1000;
+constexpr int smallest_width = 480;
+constexpr int smallest_height = 360;
+/// Without vertical synchronisation, or unseen, a frame is still not drawn more often than this.
+constexpr nanoseconds least_frame = std::chrono::milliseconds{4};
+
+struct Destroy {
+  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+  void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+  void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Destroy>;
+
+template <class T>
+Owned<T> owned(T* made) {
+  if (!made) throw std::runtime_error(SDL_GetError());
+  return Owned<T>(made);
+}
+
+/// SDL for as long as it lives.
+struct Library {
+  Library() {
+    SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) throw std::runtime_error(SDL_GetError());
+    // SDL may settle for a driver that shows nothing: a game that nobody sees.
+    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    if (!std::getenv("SDL_VIDEODRIVER") && (driver == "dummy" || driver == "offscreen")) {
+      SDL_Quit();
+      throw std::runtime_error("no video driver found a display");
+    }
+  }
+  ~Library() { SDL_Quit(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+std::optional<app::Key> key_of(const SDL_Keysym& key) {
+  switch (key.sym) {
+    case SDLK_RETURN:
+    case SDLK_KP_ENTER:
+      return app::Key::enter;
+    case SDLK_SPACE:
+      return app::Key::space;
+    case SDLK_TAB:
+      return (key.mod & KMOD_SHIFT) != 0 ? app::Key::back_tab : app::Key::tab;
+    case SDLK_ESCAPE:
+      return app::Key::escape;
+    case SDLK_LEFT:
+      return app::Key::left;
+    case SDLK_RIGHT:
+      return app::Key::right;
+    case SDLK_UP:
+      return app::Key::up;
+    case SDLK_DOWN:
+      return app::Key::down;
+    case SDLK_r:
+      return app::Key::r;
+    default:
+      return std::nullopt;
+  }
+}
+
+class Player {
+ public:
+  Player(app::Language language, int width, int height)
+      : window_(owned(SDL_CreateWindow("Angry Balls", SDL_WINDOWPOS_CENTERED,
+                                       SDL_WINDOWPOS_CENTERED, width, height,
+                                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI))),
+        renderer_(make_renderer()),
+        app_(language, width, height) {
+    SDL_SetWindowMinimumSize(window_.get(), smallest_width, smallest_height);
+    measure();
+  }
+
+  void run() {
+    auto last = steady_clock::now();
+    bool stale = true;  // the picture shown is not the app's
+    while (!closed_ && !app_.quit_requested()) {
+      const bool waited = !stale && !app_.animating();
+      if (waited) SDL_WaitEventTimeout(nullptr, idle_wait_ms);
+      for (SDL_Event event; SDL_PollEvent(&event) != 0;) stale |= handle(event);
+      const auto now = steady_clock::now();
+      // What passed while nothing moved is no time of the game's.
+      if (!waited) app_.iterate(now - last);
+      last = now;
+      stale |= app_.animating();
+      if (!stale || closed_) continue;
+      show();
+      stale = app_.animating();
+      const auto spent = steady_clock::now() - now;
+      if (spent < least_frame)
+        SDL_Delay(static_cast<Uint32>(
+            std::chrono::ceil<std::chrono::milliseconds>(least_frame - spent).count()));
+    }
+  }
+
+ private:
+  SDL_Renderer* create_renderer(Uint32 flags) {
+    return SDL_CreateRenderer(window_.get(), -1, flags);
+  }
+
+  Owned<SDL_Renderer> make_renderer() {
+    if (SDL_Renderer* synced = create_renderer(SDL_RENDERER_PRESENTVSYNC))
+      return Owned<SDL_Renderer>(synced);
+    return owned(create_renderer(0));
+  }
+
+  /// Takes over the window's size in pixels, which may be finer than its points.
+  void measure() {
+    int points_wide = 1, points_high = 1, width = 1, height = 1;
+    SDL_GetWindowSize(window_.get(), &points_wide, &points_high);
+    SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
+    if (width <= 0 || height <= 0 || points_wide <= 0 || points_high <= 0) return;  // minimised
+    across_ = static_cast<float>(width) / static_cast<float>(points_wide);
+    down_ = static_cast<float>(height) / static_cast<float>(points_high);
+    app_.event(app::Resized{width, height});
+  }
+
+  app::Point pixel(int x, int y) const {
+    return {static_cast<float>(x) * across_, static_cast<float>(y) * down_};
+  }
+
+  /// True if the picture may have changed.
+  bool handle(const SDL_Event& event) {
+    switch (event.type) {
+      case SDL_QUIT:
+        closed_ = true;
+        return false;
+      case SDL_WINDOWEVENT:
+        if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) measure();
+        return true;
+      case SDL_RENDER_TARGETS_RESET:
+      case SDL_RENDER_DEVICE_RESET:
+        texture_.reset();
+        return true;
+      case SDL_MOUSEMOTION:
+        app_.event(app::PointerMoved{pixel(event.motion.x, event.motion.y)});
+        return true;
+      case SDL_MOUSEBUTTONDOWN:
+      case SDL_MOUSEBUTTONUP:
+        return handle(event.button);
+      case SDL_KEYDOWN:
+        return handle(event.key);
+      default:
+        return false;
+    }
+  }
+
+  bool handle(const SDL_MouseButtonEvent& click) {
+    if (click.button != SDL_BUTTON_LEFT && click.button != SDL_BUTTON_RIGHT) return false;
+    const auto button =
+        click.button == SDL_BUTTON_LEFT ? app::PointerButton::left : app::PointerButton::right;
+    const app::Point at = pixel(click.x, click.y);
+    if (click.type == SDL_MOUSEBUTTONDOWN)
+      app_.event(app::PointerPressed{at, button});
+    else
+      app_.event(app::PointerReleased{at, button});
+    return true;
+  }
+
+  bool handle(const SDL_KeyboardEvent& press) {
+    if (press.keysym.sym == SDLK_F11 && press.repeat == 0) {
+      const bool full = (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) ==
+                        SDL_WINDOW_FULLSCREEN_DESKTOP;
+      SDL_SetWindowFullscreen(window_.get(), full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+      return true;
+    }
+    const auto key = key_of(press.keysym);
+    // A key held down moves the focus on, and does nothing else again.
+    const bool repeats = press.repeat != 0 && key != app::Key::tab && key != app::Key::back_tab;
+    if (!key || repeats) return false;
+    app_.event(app::KeyPressed{*key});
+    return true;
+  }
+
+  void show() {
+    if ((SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_MINIMIZED) != 0) return;
+    const app::DrawList& list = app_.draw();
+    upload(app_.atlas());
+    if (const std::string title = app_.describe(); title != title_) {
+      title_ = title;
+      SDL_SetWindowTitle(window_.get(), title_.c_str());
+    }
+    SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
+    SDL_RenderClear(renderer_.get());
+    constexpr int stride = sizeof(app::Vertex);
+    static_assert(sizeof(app::Color) == sizeof(SDL_Color));
+    const app::Vertex& first = list.vertices.front();
+    SDL_RenderGeometryRaw(renderer_.get(), texture_.get(), &first.position.x, stride,
+                          reinterpret_cast<const SDL_Color*>(&first.color), stride,
+                          &first.texture.x, stride, static_cast<int>(list.vertices.size()),
+                          list.indices.data(), static_cast<int>(list.indices.size()),
+                          sizeof(list.indices.front()));
+    SDL_RenderPresent(renderer_.get());
+  }
+
+  /// White, with the atlas's coverage as alpha.
+  void upload(const app::Atlas& atlas) {
+    if (texture_ && atlas.version == uploaded_version_) return;
+    if (!texture_ || atlas.side != uploaded_side_) {
+      texture_ = owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
+                                         SDL_TEXTUREACCESS_STATIC, atlas.side, atlas.side));
+      SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_BLEND);
+      uploaded_side_ = atlas.side;
+    }
+    std::vector<std::uint8_t> rgba(atlas.coverage.size() * 4, 255);
+    for (std::size_t i = 0; i < atlas.coverage.size(); ++i) rgba[i * 4 + 3] = atlas.coverage[i];
+    SDL_UpdateTexture(texture_.get(), nullptr, rgba.data(), atlas.side * 4);
+    uploaded_version_ = atlas.version;
+  }
+
+  Owned<SDL_Window> window_;
+  Owned<SDL_Renderer> renderer_;
+  Owned<SDL_Texture> texture_;
+  int uploaded_side_ = 0;
+  std::uint64_t uploaded_version_ = 0;
+  app::App app_;
+  std::string title_;
+  float across_ = 1;  ///< pixels a point of the window
+  float down_ = 1;
+  bool closed_ = false;
+};
+
+}  // namespace
+
+std::string play_in_window(app::Language language, int width, int height) {
+  try {
+    const Library sdl;
+    Player(language, width, height).run();
+    return {};
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace platform

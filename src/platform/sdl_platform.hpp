@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "app/text.hpp"
+
+namespace platform {
+
+/// Plays the game in a window until it is closed. Gives what went wrong when there is no display;
+/// empty after a game.
+std::string play_in_window(app::Language language, int width, int height);
+
+}  // namespace platform

@@ -1,0 +1,41 @@
+#include "app/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using app::Language;
+using app::Text;
+using app::Words;
+
+TEST(Words, LanguageOfTheLocale) {
+  EXPECT_EQ(app::language_of_locale("fr_FR.UTF-8"), Language::french);
+  EXPECT_EQ(app::language_of_locale("fr"), Language::french);
+  EXPECT_EQ(app::language_of_locale("en_GB"), Language::english);
+  EXPECT_EQ(app::language_of_locale("C"), Language::english);
+  EXPECT_EQ(app::language_of_locale(""), Language::english);
+}
+
+TEST(Words, NumbersAreGroupedAsTheLanguageDoes) {
+  const Words english(Language::english);
+  const Words french(Language::french);
+  EXPECT_EQ(english.number(0), "0");
+  EXPECT_EQ(english.number(999), "999");
+  EXPECT_EQ(english.number(1000), "1,000");
+  EXPECT_EQ(english.number(1234567), "1,234,567");
+  EXPECT_EQ(english.number(-1000), "-1,000");
+  EXPECT_EQ(english.number(-100), "-100");
+  EXPECT_EQ(french.number(12300), "12\u202f300");
+}
+
+TEST(Words, EveryTextInEveryLanguage) {
+  for (const Language language : {Language::english, Language::french}) {
+    for (int i = 0; i < static_cast<int>(Text::count); ++i) {
+      const std::string text = Words(language)(static_cast<Text>(i), {"a", "b", "c", "d", "e"});
+      EXPECT_FALSE(text.empty());
+      EXPECT_EQ(text.find('{'), std::string::npos) << text;
+    }
+  }
+}
+
+}  // namespace

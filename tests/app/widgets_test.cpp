@@ -1,0 +1,52 @@
+#include "app/widgets.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using app::Key;
+
+class ButtonsTest : public testing::Test {
+ protected:
+  ButtonsTest() {
+    buttons.place(0, {0, 0, 100, 40});
+    buttons.place(1, {0, 50, 100, 40});
+  }
+  auto press(app::Point at) { return buttons.event(app::PointerPressed{at}); }
+  auto release(app::Point at) { return buttons.event(app::PointerReleased{at}); }
+  auto key(Key key) { return buttons.event(app::KeyPressed{key}); }
+
+  app::Buttons buttons{{"first", "second"}, 0};
+};
+
+TEST_F(ButtonsTest, ActsOnRelease) {
+  EXPECT_FALSE(press({50, 60}));
+  EXPECT_EQ(release({50, 60}), 1u);
+}
+
+TEST_F(ButtonsTest, SlidingOffTakesThePressBack) {
+  press({50, 60});
+  EXPECT_FALSE(release({50, 20}));
+  press({300, 300});
+  EXPECT_FALSE(release({50, 20}));
+}
+
+TEST_F(ButtonsTest, EnterMeansThePrimaryButtonUntilAnotherHasTheFocus) {
+  EXPECT_EQ(key(Key::enter), 0u);
+  EXPECT_FALSE(key(Key::space));
+  key(Key::tab);
+  key(Key::tab);
+  EXPECT_EQ(key(Key::enter), 1u);
+  EXPECT_EQ(key(Key::space), 1u);
+  key(Key::down);
+  EXPECT_EQ(key(Key::space), 0u);
+  key(Key::back_tab);
+  EXPECT_EQ(key(Key::space), 1u);
+}
+
+TEST_F(ButtonsTest, TheRightButtonPressesNothing) {
+  buttons.event(app::PointerPressed{{50, 60}, app::PointerButton::right});
+  EXPECT_FALSE(buttons.event(app::PointerReleased{{50, 60}, app::PointerButton::right}));
+}
+
+}  // namespace

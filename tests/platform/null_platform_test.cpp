@@ -1,0 +1,67 @@
+#include "platform/null_platform.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+
+namespace {
+
+using platform::NullPlatform;
+
+constexpr const char* one_shot = R"({"at": 0.5, "key": "Return"}
+{"at": 1, "click": [418, 379]}
+{"at": 1.5, "click": [780, 420]}
+{"at": 1.87, "move": [3, 3]}
+)";
+
+struct Played : NullPlatform {
+  explicit Played(const char* script, app::Language language = app::Language::english)
+      : NullPlatform(language, 1280, 720) {
+    const auto parsed = platform::parse_script(script);
+    EXPECT_TRUE(parsed);
+    EXPECT_TRUE(run(parsed.value()));
+  }
+};
+
+TEST(NullPlatform, SameScriptSamePicture) {
+  Played one(one_shot);
+  Played two(one_shot);
+  EXPECT_EQ(one.app().describe(), two.app().describe());
+  const platform::Image picture = one.picture();
+  EXPECT_EQ(picture.rgba, two.picture().rgba);
+  EXPECT_EQ(picture.rgba, one.picture().rgba);
+}
+
+TEST(NullPlatform, TellsWhatIsOnScreen) {
+  EXPECT_EQ(Played("").app().describe(), "Angry Balls · title screen");
+  EXPECT_EQ(Played(one_shot).app().describe(),
+            "Angry Balls · Player 1 watches the shot · Player 1: 0 · Player 2: 0 · balls left: 36");
+  EXPECT_EQ(Played("{\"at\":1,\"key\":\"Return\"}", app::Language::french).app().describe(),
+            "Angry Balls · Joueur 1 vise · Joueur 1 : 0 · Joueur 2 : 0 · boules restantes : 36");
+}
+
+TEST(NullPlatform, EscapeGoesBackAndThenQuits) {
+  Played game(R"({"at": 0.5, "key": "Return"}
+{"at": 1, "key": "Escape"})");
+  EXPECT_EQ(game.app().describe(), "Angry Balls · title screen");
+  game.app().event(app::KeyPressed{app::Key::escape});
+  EXPECT_TRUE(game.app().quit_requested());
+}
+
+TEST(NullPlatform, TheDemonstrationPlaysThreeTurns) {
+  std::ifstream file(SOURCE_DIR "/demos/billiards.jsonl");
+  const std::string script(std::istreambuf_iterator<char>(file), {});
+  Played game(script.c_str());
+  EXPECT_TRUE(game.app().animating());
+  EXPECT_NE(game.app().describe().find("Player 1 watches the shot"), std::string::npos)
+      << game.app().describe();
+}
+
+TEST(NullPlatform, NothingMovesOnTheTitle) { EXPECT_FALSE(Played("").app().animating()); }
+
+TEST(NullPlatform, APictureThatCannotBeWrittenIsAnError) {
+  NullPlatform game(app::Language::english, 200, 200);
+  EXPECT_FALSE(game.screenshot("/nonexistent/folder/a.png"));
+}
+
+}  // namespace

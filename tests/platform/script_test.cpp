@@ -1,0 +1,84 @@
+#include "platform/script.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using platform::parse_script;
+using namespace std::chrono_literals;
+
+TEST(Script, ReadsEveryAction) {
+  const auto script = parse_script(R"({"at": 0.5, "click": [400, 300.5]}
+
+{"at": 1, "click": [1, 2], "button": "right"}
+{"at": 1, "move": [10, -20]}
+{"key": "Shift+Tab", "at": 1.25}
+{"at": 2, "screenshot": "a.png"})");
+  ASSERT_TRUE(script);
+  ASSERT_EQ(script.value().size(), 5u);
+  const auto& click = std::get<platform::Click>(script.value()[0].action);
+  EXPECT_EQ(script.value()[0].at, 500ms);
+  EXPECT_EQ(click.at, (app::Point{400, 300.5f}));
+  EXPECT_EQ(click.button, app::PointerButton::left);
+  EXPECT_EQ(std::get<platform::Click>(script.value()[1].action).button, app::PointerButton::right);
+  EXPECT_EQ(std::get<platform::Move>(script.value()[2].action).to, (app::Point{10, -20}));
+  EXPECT_EQ(std::get<platform::Press>(script.value()[3].action).key, app::Key::back_tab);
+  EXPECT_EQ(std::get<platform::Screenshot>(script.value()[4].action).file, "a.png");
+}
+
+TEST(Script, EmptyIsFine) {
+  EXPECT_TRUE(parse_script(""));
+  EXPECT_TRUE(parse_script("\n\r\n  \n"));
+}
+
+struct Bad {
+  const char* text;
+  const char* message;
+};
+
+class BadScript : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadScript, IsReportedWithItsLine) {
+  const auto script = parse_script(GetParam().text);
+  ASSERT_FALSE(script);
+  EXPECT_EQ(carom::to_string(script.errors().front(), "file"), GetParam().message);
+}
+
+constexpr const char* form =
+    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\"";
+const std::string not_json = std::string("file:2: is no JSON object; expected ") + form;
+const std::string unknown = std::string("file:1: /wait: is an unknown key; expected ") + form;
+const std::string nothing = std::string("file:1: is {\"at\":1}; expected ") + form;
+const std::string both =
+    std::string("file:1: is {\"at\":1,\"move\":[1,2],\"key\":\"R\"}; expected ") + form;
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadScript,
+    testing::Values(
+        Bad{"{\"at\":1,\"key\":\"R\"}\n{\"at\":", not_json.c_str()},
+        Bad{"{\"at\":1,\"wait\":2}", unknown.c_str()}, Bad{"{\"at\":1}", nothing.c_str()},
+        Bad{"{\"at\":1,\"move\":[1,2],\"key\":\"R\"}", both.c_str()},
+        Bad{"{\"at\":-1,\"move\":[1,2]}",
+            "file:1: /at: is -1; expected a time from 0 to 86400 (s)"},
+        Bad{"{\"at\":1,\"move\":[1,\"x\"]}",
+            "file:1: /move: is [1,\"x\"]; expected a point of the window, [x, y] (px)"},
+        Bad{"{\"at\":1,\"click\":[1,1e300]}",
+            "file:1: /click: is [1,1e+300]; expected a point of the window, [x, y] (px)"},
+        Bad{"{\"at\":1,\"key\":\"Q\"}",
+            "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
+            "Right, Up, Down or R"},
+        Bad{"{\"at\":1,\"move\":[1,2],\"button\":\"left\"}",
+            "file:1: /button: is \"left\"; expected \"left\" or \"right\", beside \"click\""},
+        Bad{"{\"at\":1,\"screenshot\":\"\"}",
+            "file:1: /screenshot: is \"\"; expected the name of a PNG file to write"},
+        Bad{"{\"at\":2,\"key\":\"R\"}\n{\"at\":1,\"key\":\"R\"}",
+            "file:2: /at: goes back in time; expected lines in the order of time"}));
+
+TEST(Script, AllErrorsAreListed) {
+  const auto script = parse_script("x\n{\"at\":1,\"key\":\"R\"}\ny\n");
+  ASSERT_FALSE(script);
+  ASSERT_EQ(script.errors().size(), 2u);
+  EXPECT_EQ(script.errors()[1].line, 3u);
+}
+
+}  // namespace
