@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <rapidcheck/gtest.h>
+#include <string>
 #include <vector>
 
+#include "carom/scene_file.hpp"
 #include "carom/world.hpp"
 
 namespace {
@@ -76,6 +80,16 @@ TEST(Rack, IsTheTriangleOfTheReport) {
     }
   }
   EXPECT_EQ(touching, 3 * 28) << "a triangle of 8 rows has 84 contacts";
+}
+
+TEST(Rack, IsWhatTheShippedBreakStartsFrom) {
+  std::ifstream file(SOURCE_DIR "/scenes/break.json", std::ios::binary);
+  const std::string json(std::istreambuf_iterator<char>(file), {});
+  carom::Scene shipped = carom::read_scene(json).value();
+  EXPECT_GT(carom::length(shipped.balls[0].velocity), 1000);
+  shipped.name = "Billiards";
+  shipped.balls[0].velocity = {};
+  EXPECT_EQ(shipped, games::billiards::rack());
 }
 
 TEST(Billiards, StartsWithTheFirstPlayerToAim) {
