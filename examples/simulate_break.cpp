@@ -6,8 +6,8 @@
 #include "carom/scene_file.hpp"
 #include "carom/world.hpp"
 
-int main() {
-  std::ifstream file("scenes/break.json");
+int main(int argc, char** argv) {
+  std::ifstream file(argc > 1 ? argv[1] : "scenes/break.json");
   const std::string json(std::istreambuf_iterator<char>(file), {});
   auto scene = carom::read_scene(json);
   if (!scene) {
