@@ -215,6 +215,35 @@ TEST(Billiards, TheIthBallOfATurnMakes100TimesI) {
   EXPECT_GE(best_turn, 2) << "no turn of these tells 100·i from 100";
 }
 
+// Spec §7, whatever the order of the holes they fall into.
+TEST(Billiards, RedsThatFallInTheSameStepCountInIndexOrder) {
+  RandomPlayer player(1);
+  int told_apart = 0;
+  for (int n = 0; n < 2000 && told_apart < 3; ++n) {
+    Game game;
+    for (int turn = 0; turn < 4 && game.phase() != Phase::over; ++turn) {
+      player.command(game);
+      while (game.phase() == Phase::roll) {
+        std::vector<std::uint32_t> ids;
+        for (std::size_t i = 0; i < game.world().size(); ++i)
+          ids.push_back(game.world().ball(i).id);
+        game.step();
+        std::vector<std::ptrdiff_t> scored;
+        for (const auto& event : game.events())
+          if (event.kind == EventKind::scored)
+            scored.push_back(std::ranges::find(ids, event.ball) - ids.begin());
+        ASSERT_TRUE(std::ranges::is_sorted(scored));
+        std::vector<std::ptrdiff_t> fell;
+        for (const auto& event : game.physics_events())
+          if (event.kind == carom::EventKind::pocketed && event.ball != 0)
+            fell.push_back(std::ranges::find(ids, event.ball) - ids.begin());
+        if (!std::ranges::is_sorted(fell)) ++told_apart;
+      }
+    }
+  }
+  EXPECT_GE(told_apart, 1) << "no step tells index order from the order of the holes";
+}
+
 TEST(Billiards, RestartsAtAnyTime) {
   const auto fresh = Game().world().state_hash();
   Game game;
