@@ -18,6 +18,34 @@ Color strength_color(double strength) {
                   : mix(rgb(0xf7d354), rgb(0xff7a3d), t * 2 - 1);
 }
 
+void draw_strength(Canvas& canvas, const Rect& area, const Aim& aim, const Words& words) {
+  Rect rest = area;
+  const Rect number = rest.cut_right(canvas.px(144));
+  rest.cut_right(canvas.px(12));
+  const Rect bar = centered(rest.center(), rest.w, canvas.px(16));
+  const float radius = bar.h / 2;
+  fill_rounded(canvas.list, bar, radius, palette::slate_bottom);
+  Rect filled = bar.inset(canvas.px(2));
+  const float full = filled.w;
+  filled.w = std::max(full * static_cast<float>(aim.strength()), filled.h);
+  if (!aim.too_weak()) {
+    const Paint heat(Point{bar.x, 0}, strength_color(0), {filled.right(), 0},
+                     strength_color(aim.strength()));
+    fill_rounded(canvas.list, filled, filled.h / 2, heat);
+  }
+  for (int quarter = 1; quarter < 4; ++quarter) {
+    const float x = bar.x + bar.w * static_cast<float>(quarter) / 4;
+    line(canvas.list, {x, bar.y + canvas.px(2)}, {x, bar.bottom() - canvas.px(2)}, canvas.px(1),
+         faded(palette::cream, 0.35f));
+  }
+  stroke_rounded(canvas.list, bar, radius, canvas.px(aim.capped() ? 2 : 1),
+                 aim.capped() ? strength_color(1) : palette::panel_edge);
+  const std::string speed = words.number(static_cast<int>(std::lround(aim.speed())));
+  label(canvas, number,
+        {Face::bold, 18, aim.capped() ? strength_color(1) : palette::cream, Align::right},
+        words(aim.capped() ? Text::speed_capped : Text::speed, {speed}));
+}
+
 }  // namespace
 
 void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& world, const Aim& aim) {
@@ -53,6 +81,7 @@ void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& worl
     line(list, at - stop, at + stop, width, color);
   }
 
+  if (world.scene().gravity > 0 || !world.scene().obstacles.empty()) return;  // no straight line
   const auto contact = first_contact(world, 0, velocity);
   if (!contact) return;
   const Point ghost = viewport.to_window(contact->center);
@@ -67,32 +96,17 @@ void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& worl
   }
 }
 
-void draw_strength(Canvas& canvas, const Rect& area, const Aim& aim, const Words& words) {
-  Rect rest = area;
-  const Rect number = rest.cut_right(canvas.px(144));
-  rest.cut_right(canvas.px(12));
-  const Rect bar = centered(rest.center(), rest.w, canvas.px(16));
-  const float radius = bar.h / 2;
-  fill_rounded(canvas.list, bar, radius, palette::slate_bottom);
-  Rect filled = bar.inset(canvas.px(2));
-  const float full = filled.w;
-  filled.w = std::max(full * static_cast<float>(aim.strength()), filled.h);
-  if (!aim.too_weak()) {
-    const Paint heat(Point{bar.x, 0}, strength_color(0), {filled.right(), 0},
-                     strength_color(aim.strength()));
-    fill_rounded(canvas.list, filled, filled.h / 2, heat);
+void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& words,
+                 const std::string& hint, Color color) {
+  Rect rest = area.inset(canvas.px(16), canvas.px(4));
+  if (aim && aim->active()) {
+    const Rect meter = canvas.view.narrow()
+                           ? rest.cut_top(rest.h / 2)
+                           : rest.cut_right(std::min(canvas.px(400), rest.w * 0.4f));
+    rest.cut_right(canvas.px(canvas.view.narrow() ? 0 : 16));
+    draw_strength(canvas, meter, *aim, words);
   }
-  for (int quarter = 1; quarter < 4; ++quarter) {
-    const float x = bar.x + bar.w * static_cast<float>(quarter) / 4;
-    line(canvas.list, {x, bar.y + canvas.px(2)}, {x, bar.bottom() - canvas.px(2)}, canvas.px(1),
-         faded(palette::cream, 0.35f));
-  }
-  stroke_rounded(canvas.list, bar, radius, canvas.px(aim.capped() ? 2 : 1),
-                 aim.capped() ? strength_color(1) : palette::panel_edge);
-  const std::string speed = words.number(static_cast<int>(std::lround(aim.speed())));
-  label(canvas, number,
-        {Face::bold, 18, aim.capped() ? strength_color(1) : palette::cream, Align::right},
-        words(aim.capped() ? Text::speed_capped : Text::speed, {speed}));
+  label(canvas, rest, {Face::regular, 18, color, Align::center}, hint);
 }
 
 }  // namespace app

@@ -1,12 +1,19 @@
 #include "app/app.hpp"
 
+#include <iterator>
+
+#include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
+#include "app/level_menu.hpp"
 #include "app/title_screen.hpp"
 
 namespace app {
 
-App::App(Language language, int width, int height)
-    : words_(language), view_(View::of(width, height)) {
+App::App(Language language, int width, int height, Store& store, std::vector<Level> levels)
+    : words_(language),
+      campaign_{shipped_levels(), BestScores(store), 0},
+      view_(View::of(width, height)) {
+  std::ranges::move(levels, std::back_inserter(campaign_.levels));
   go(Transition::title);
 }
 
@@ -44,6 +51,12 @@ void App::go(Transition transition) {
       break;
     case Transition::billiards:
       screen_ = std::make_unique<BilliardsScreen>(words_);
+      break;
+    case Transition::levels:
+      screen_ = std::make_unique<LevelMenu>(words_, campaign_);
+      break;
+    case Transition::level:
+      screen_ = std::make_unique<AngryBallsScreen>(words_, campaign_);
       break;
   }
   screen_->resize(view_);

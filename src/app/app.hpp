@@ -2,9 +2,12 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "app/campaign.hpp"
 #include "app/font.hpp"
 #include "app/screen.hpp"
+#include "app/store.hpp"
 #include "app/text.hpp"
 
 namespace app {
@@ -13,8 +16,9 @@ namespace app {
 /// shows what comes out.
 class App {
  public:
-  /// The window's size in px.
-  App(Language language, int width, int height);
+  /// The window's size in px. The store must outlive this. `levels`: what the player has beside
+  /// the shipped ones.
+  App(Language language, int width, int height, Store& store, std::vector<Level> levels = {});
 
   void event(const Input& input);
   void iterate(nanoseconds elapsed);
@@ -33,6 +37,7 @@ class App {
   void go(Transition transition);
 
   Words words_;
+  Campaign campaign_;
   View view_;
   Font font_;
   DrawList list_;

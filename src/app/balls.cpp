@@ -9,6 +9,8 @@ namespace app {
 
 const BallLook ivory_ball{palette::ivory, palette::ivory_shade};
 const BallLook red_ball{palette::red, palette::red_shade};
+const BallLook wooden_ball{palette::wood, palette::wood_shade, 0.15f};
+const BallLook stone_ball{palette::stone, palette::stone_shade, 0.1f};
 
 namespace {
 
@@ -22,7 +24,7 @@ Color shaded(const BallLook& look, Direction normal) {
   const float facing = normal.x * light.x + normal.y * light.y + normal.z * light.z;
   const float diffuse = std::clamp(0.25f + 0.85f * facing, 0.0f, 1.0f);
   const float gloss = std::pow(std::max(facing, 0.0f), 9.0f);
-  return mix(mix(look.shade, look.base, diffuse), palette::glint, 0.28f * gloss);
+  return mix(mix(look.shade, look.base, diffuse), palette::glint, 0.28f * look.gloss * gloss);
 }
 
 }  // namespace
@@ -57,7 +59,8 @@ void draw_ball(DrawList& list, Point center, float radius, const BallLook& look,
                 ring_index(first, ring + 1, i + 1), ring_index(first, ring + 1, i));
   }
   const Point lamp = center + Point{light.x, light.y} * (radius * 0.62f);
-  glow(list, lamp, radius * 0.34f, radius * 0.27f, faded(palette::glint, 0.9f * opacity));
+  glow(list, lamp, radius * 0.34f, radius * 0.27f,
+       faded(palette::glint, 0.9f * look.gloss * opacity));
 }
 
 void draw_ball_shadow(DrawList& list, Point center, float radius) {

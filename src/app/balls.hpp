@@ -8,11 +8,14 @@ namespace app {
 struct BallLook {
   Color base;
   Color shade;
+  float gloss = 1;  ///< 0: matte
 };
 extern const BallLook ivory_ball;
 extern const BallLook red_ball;
+extern const BallLook wooden_ball;
+extern const BallLook stone_ball;
 
-/// A glossy ball, lit from above and left.
+/// A ball, lit from above and left.
 void draw_ball(DrawList& list, Point center, float radius, const BallLook& look, float opacity = 1);
 /// What it darkens of the ground it lies on; drawn before every ball.
 void draw_ball_shadow(DrawList& list, Point center, float radius);

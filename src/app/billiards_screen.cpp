@@ -13,10 +13,6 @@ namespace billiards = games::billiards;
 using billiards::Obstruction;
 using billiards::Phase;
 
-// The cue ball is small: a click next to it still takes it.
-constexpr double grab_margin = 8;  ///< world px around it
-constexpr float grab_least = 22;   ///< units, the least radius of the target
-
 Text reason(Obstruction obstruction) {
   switch (obstruction) {
     case Obstruction::ball:
@@ -67,7 +63,7 @@ Transition BilliardsScreen::event(const Input& input) {
   }
   if (const auto command = bar_.event(input)) return request(*command);
 
-  auto* aiming = std::get_if<AimShot>(&state_);
+  auto* aiming = std::get_if<Launcher>(&state_);
   if (aiming) aiming->aim.move(viewport_.to_world(pointer_));
   const auto* press = std::get_if<PointerPressed>(&input);
   const bool takes_back =
@@ -87,17 +83,10 @@ Transition BilliardsScreen::event(const Input& input) {
   return Transition::stay;
 }
 
-void BilliardsScreen::click(AimShot& state, Point at) {
-  if (!state.aim.active()) {
-    state.missed = !on_cue_ball(at);
-    state.refused = false;
-    if (!state.missed) state.aim.begin(viewport_.to_world(at));
-  } else if (state.aim.too_weak()) {
-    state.refused = true;  // a double click loses no turn
-  } else {
-    // Aimed shots are always finite and not zero: the game takes them.
-    if (game_.apply(billiards::Shoot{state.aim.drag()})) follow_phase();
-  }
+void BilliardsScreen::click(Launcher& launcher, Point at) {
+  const auto drag = launcher.click(viewport_.to_world(at), on_cue_ball(at));
+  // Aimed shots are always finite and not zero: the game takes them.
+  if (drag && game_.apply(billiards::Shoot{*drag})) follow_phase();
 }
 
 void BilliardsScreen::click(PlaceBall&, Point at) {
@@ -106,9 +95,7 @@ void BilliardsScreen::click(PlaceBall&, Point at) {
 }
 
 bool BilliardsScreen::on_cue_ball(Point at) const {
-  const carom::Ball& cue = game_.world().ball(0);
-  const float reach = std::max(viewport_.px(cue.radius + grab_margin), view_.px(grab_least));
-  return length(at - viewport_.to_window(cue.position)) <= reach;
+  return on_lead(game_.world().ball(0), at, viewport_, view_);
 }
 
 /// The table with its wood, window px.
@@ -147,7 +134,7 @@ void BilliardsScreen::follow_phase() {
   clock_.reset();
   switch (game_.phase()) {
     case Phase::aim:
-      state_ = AimShot{};
+      state_ = Launcher{};
       break;
     case Phase::roll:
       turn_points_ = 0;
@@ -193,7 +180,7 @@ void BilliardsScreen::note(const billiards::Event& event) {
       for (const carom::Event& physics : game_.physics_events())
         if (physics.kind == carom::EventKind::pocketed && physics.ball == event.ball)
           effects_.float_up(physics.position, words_(Text::points, {words_.number(event.points)}),
-                            event.player);
+                            palette::accents[static_cast<std::size_t>(event.player)]);
       break;
     case EventKind::turn: {
       const std::string before = words_.player(1 - event.player);
@@ -218,6 +205,7 @@ void BilliardsScreen::announce_turn(int player, const std::string& detail) {
 Dialog BilliardsScreen::result() const {
   const std::optional<int> winner = game_.winner();
   std::vector<Dialog::Line> lines;
+  lines.reserve(2);
   for (int player = 0; player < 2; ++player)
     lines.push_back({words_.player(player), words_.number(game_.score(player)), player});
   return {winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
@@ -237,27 +225,21 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   effects_.draw_under_balls(canvas.list, viewport_);
   draw_balls(canvas.list, viewport_, game_.world(), motion_,
              game_.phase() == Phase::roll ? clock_.fraction() : 1);
-  if (const auto* aiming = std::get_if<AimShot>(&state_)) {
+  const auto* aiming = std::get_if<Launcher>(&state_);
+  if (aiming) {
     if (aiming->aim.active())
       draw_aim(canvas.list, viewport_, game_.world(), aiming->aim);
     else
-      draw_invitation(canvas.list);
+      draw_invitation(canvas.list, viewport_, game_.world().ball(0), on_cue_ball(pointer_),
+                      palette::accents[static_cast<std::size_t>(game_.player())]);
   }
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
   bar_.draw(canvas, bar_content());
-  draw_footer(canvas);
+  draw_footer(canvas, layout_.footer, aiming ? &aiming->aim : nullptr, words_, hint(),
+              hint_color());
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
   if (question_) question_->dialog.draw(canvas);
-}
-
-/// A ring around the cue ball in the player's accent; it opens up under the pointer.
-void BilliardsScreen::draw_invitation(DrawList& list) const {
-  const carom::Ball& cue = game_.world().ball(0);
-  const bool hovered = on_cue_ball(pointer_);
-  stroke_circle(list, viewport_.to_window(cue.position),
-                viewport_.px(cue.radius * (hovered ? 2.0 : 1.7)), viewport_.px(hovered ? 2.4 : 1.4),
-                palette::accents[static_cast<std::size_t>(game_.player())]);
 }
 
 void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
@@ -279,24 +261,14 @@ void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
   for (const float side : {-1.0f, 1.0f})
     line(list, pointer_ + Point{-arm, -arm * side}, pointer_ + Point{arm, arm * side},
          viewport_.px(3.4), rgb(0xc22a1c));
-  pill(canvas, pointer_ - Point{0, r * 1.8f + canvas.px(22)}, table_area(),
-       {Face::bold, 16, palette::refused}, words_(reason(obstruction)));
-}
-
-void BilliardsScreen::draw_footer(Canvas& canvas) const {
-  Rect rest = layout_.footer.inset(canvas.px(16), canvas.px(4));
-  const auto* aiming = std::get_if<AimShot>(&state_);
-  if (aiming && aiming->aim.active()) {
-    Rect meter = canvas.view.narrow() ? rest.cut_top(rest.h / 2)
-                                      : rest.cut_right(std::min(canvas.px(400), rest.w * 0.4f));
-    rest.cut_right(canvas.px(canvas.view.narrow() ? 0 : 16));
-    draw_strength(canvas, meter, aiming->aim, words_);
-  }
-  label(canvas, rest, {Face::regular, 18, hint_color(), Align::center}, hint());
+  const TextStyle style{Face::bold, 16, palette::refused};
+  const std::string words = words_(reason(obstruction));
+  const Point above = pointer_ - Point{0, r * 1.8f + canvas.px(22)};
+  pill(canvas, pill_box(canvas, above, table_area(), style, words), style, words);
 }
 
 std::string BilliardsScreen::hint() const {
-  if (const auto* aiming = std::get_if<AimShot>(&state_)) {
+  if (const auto* aiming = std::get_if<Launcher>(&state_)) {
     if (aiming->aim.active())
       return words_(aiming->refused && aiming->aim.too_weak() ? Text::hint_too_weak
                                                               : Text::hint_shoot);
@@ -312,7 +284,7 @@ std::string BilliardsScreen::hint() const {
 }
 
 Color BilliardsScreen::hint_color() const {
-  if (const auto* aiming = std::get_if<AimShot>(&state_))
+  if (const auto* aiming = std::get_if<Launcher>(&state_))
     return aiming->missed ? palette::refused : palette::cream;
   if (std::holds_alternative<PlaceBall>(state_)) {
     const bool free = game_.obstruction(viewport_.to_world(pointer_)) == Obstruction::none;
@@ -321,8 +293,8 @@ Color BilliardsScreen::hint_color() const {
   return palette::muted;
 }
 
-UserBar::Content BilliardsScreen::bar_content() const {
-  UserBar::Content content;
+BilliardsBar::Content BilliardsScreen::bar_content() const {
+  BilliardsBar::Content content;
   content.scores = {game_.score(0), game_.score(1)};
   if (game_.phase() != Phase::over) content.on = game_.player();
   content.balls_left = game_.reds_left();

@@ -3,13 +3,13 @@
 #include <optional>
 #include <variant>
 
-#include "app/aim.hpp"
+#include "app/billiards_bar.hpp"
 #include "app/dialog.hpp"
 #include "app/effects.hpp"
+#include "app/launcher.hpp"
 #include "app/motion.hpp"
 #include "app/screen.hpp"
 #include "app/text.hpp"
-#include "app/user_bar.hpp"
 #include "app/viewport.hpp"
 #include "games/billiards.hpp"
 
@@ -32,17 +32,12 @@ class BilliardsScreen final : public Screen {
 
  private:
   // What the player is doing; it follows the game's phase.
-  struct AimShot {
-    Aim aim;
-    bool missed = false;   ///< the last click was not on the cue ball
-    bool refused = false;  ///< the last click was too near the first
-  };
   struct WatchShot {};
   struct PlaceBall {};
   struct Over {
     Dialog dialog;
   };
-  using State = std::variant<AimShot, WatchShot, PlaceBall, Over>;
+  using State = std::variant<Launcher, WatchShot, PlaceBall, Over>;
 
   /// Asks before a game is given up.
   struct Question {
@@ -58,21 +53,19 @@ class BilliardsScreen final : public Screen {
 
   Transition obey(UserBar::Command command);
   Transition request(UserBar::Command command);
-  void click(AimShot& state, Point at);
+  void click(Launcher& state, Point at);
   void click(PlaceBall& state, Point at);
   bool on_cue_ball(Point at) const;
   Rect table_area() const;
 
-  void draw_invitation(DrawList& list) const;
   void draw_cue_ball_in_hand(Canvas& canvas) const;
-  void draw_footer(Canvas& canvas) const;
   std::string hint() const;
   Color hint_color() const;
-  UserBar::Content bar_content() const;
+  BilliardsBar::Content bar_content() const;
 
   Words words_;
   games::billiards::Game game_;
-  State state_ = AimShot{};
+  State state_ = Launcher{};
   std::optional<Question> question_;
 
   Clock clock_;
@@ -80,7 +73,7 @@ class BilliardsScreen final : public Screen {
   Effects effects_;
   int turn_points_ = 0;  ///< of the turn that is shown; the game forgets them with the turn
 
-  UserBar bar_;
+  BilliardsBar bar_;
   View view_;
   GameLayout layout_;
   Viewport viewport_;

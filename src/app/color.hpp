@@ -25,7 +25,8 @@ constexpr Color mix(Color a, Color b, float t) {
   t = t < 0 ? 0 : t > 1 ? 1 : t;
   const auto channel = [t](std::uint8_t from, std::uint8_t to) {
     const auto start = static_cast<float>(from);
-    return static_cast<std::uint8_t>(start + (static_cast<float>(to) - start) * t + 0.5f);
+    const float half_up = start + (static_cast<float>(to) - start) * t + 0.5f;
+    return static_cast<std::uint8_t>(half_up);
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
 }

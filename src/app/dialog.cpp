@@ -23,7 +23,8 @@ Dialog::Dialog(std::string title, std::vector<Line> lines, std::vector<std::stri
 void Dialog::resize(const View& view) {
   const float height = 2 * padding + title_height +
                        line_height * static_cast<float>(lines_.size()) + 2 * gap + button_height;
-  panel_ = centered(view.area().center(), std::min(view.px(480), view.width - view.px(16)),
+  panel_ = centered(view.area().center(),
+                    std::min(view.px(buttons_.size() > 2 ? 560 : 480), view.width - view.px(16)),
                     view.px(height));
   Rect row = panel_.inset(view.px(padding));
   row = row.cut_bottom(view.px(button_height));
@@ -56,15 +57,19 @@ void Dialog::draw(Canvas& canvas) const {
   rest.cut_top(canvas.px(gap / 2));
   for (const Line& line : lines_) {
     const Rect row = rest.cut_top(canvas.px(line_height));
-    if (!line.player) {
+    if (line.score.empty()) {
       label(canvas, row, {Face::regular, 20, palette::cream, Align::center}, line.text);
       continue;
     }
     Rect column = centered(row.center(), std::min(canvas.px(288), row.w), row.h);
-    draw_marker(canvas.list, *line.player, column.cut_left(canvas.px(28)).center(), canvas.px(11));
-    column.cut_left(canvas.px(12));
-    label(canvas, column.cut_right(column.w / 2),
-          {Face::black, 26, palette::accents[static_cast<std::size_t>(*line.player)], Align::right},
+    Color accent = palette::brass_lit;
+    if (line.player) {
+      draw_marker(canvas.list, *line.player, column.cut_left(canvas.px(28)).center(),
+                  canvas.px(11));
+      column.cut_left(canvas.px(12));
+      accent = palette::accents[static_cast<std::size_t>(*line.player)];
+    }
+    label(canvas, column.cut_right(column.w / 2), {Face::black, 26, accent, Align::right},
           line.score);
     label(canvas, column, {Face::regular, 20, palette::cream}, line.text);
   }

@@ -13,8 +13,8 @@ class Dialog {
  public:
   struct Line {
     std::string text;
-    std::string score;          ///< set on the right, for a player's line
-    std::optional<int> player;  ///< whose sign stands before it; none: the text is in the middle
+    std::string score;          ///< set on the right; without one the text is in the middle
+    std::optional<int> player;  ///< whose sign stands before it
   };
   /// The first button is the primary one; Esc means the last.
   Dialog(std::string title, std::vector<Line> lines, std::vector<std::string> buttons);

@@ -11,20 +11,25 @@
 
 namespace app {
 
-/// What passes by on its own and changes nothing: balls sinking into pockets, points floating up,
-/// announcements.
+/// What passes by on its own and changes nothing: balls sinking into pockets or bursting, points
+/// floating up, announcements.
 class Effects {
  public:
   /// A ball of `radius` (world px) drops from where it was pocketed to the hole's centre.
   void sink(carom::Vec2 from, carom::Vec2 hole, double radius, const BallLook& look);
-  /// `text` floats up from a place in the world, in a player's accent.
-  void float_up(carom::Vec2 from, std::string text, int player);
-  /// A headline in the middle of the world; the next one replaces it. Empty detail: one line.
-  void announce(std::string headline, std::string detail, int player);
+  /// A ball of `radius` (world px) breaks to pieces; `id` decides how they fly.
+  void burst(carom::Vec2 at, double radius, const BallLook& look, std::uint32_t id);
+  /// `text` floats up from a place in the world.
+  void float_up(carom::Vec2 from, std::string text, Color color);
+  /// A headline in the middle of the world, with a player's sign if it is about one; the next one
+  /// replaces it. Empty detail: one line.
+  void announce(std::string headline, std::string detail, std::optional<int> player);
   void advance(nanoseconds elapsed);
   void clear() { *this = {}; }
   /// Something still moves or fades.
-  bool active() const { return announcement_ || !sinking_.empty() || !floating_.empty(); }
+  bool active() const {
+    return announcement_ || !sinking_.empty() || !bursting_.empty() || !floating_.empty();
+  }
 
   void draw_under_balls(DrawList& list, const Viewport& viewport) const;
   /// `table`: what everything stays within, window px.
@@ -38,20 +43,31 @@ class Effects {
     BallLook look;
     nanoseconds age{};
   };
+  struct Bursting {
+    carom::Vec2 at;
+    double radius = 0;
+    BallLook look;
+    std::uint32_t id = 0;
+    nanoseconds age{};
+  };
   struct Floating {
     carom::Vec2 from;
     std::string text;
-    int player = 0;
+    Color color;
     nanoseconds age{};
   };
   struct Announcement {
     std::string headline;
     std::string detail;
-    int player = 0;
+    std::optional<int> player;
     nanoseconds age{};
   };
 
+  static void draw_burst(DrawList& list, const Viewport& viewport, const Bursting& ball);
+  void draw_announcement(Canvas& canvas, const Rect& table) const;
+
   std::vector<Sinking> sinking_;
+  std::vector<Bursting> bursting_;
   std::vector<Floating> floating_;
   std::optional<Announcement> announcement_;
 };

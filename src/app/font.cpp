@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <unordered_map>
 
-#include "app/font_data.hpp"
+#include "app/embedded.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -49,10 +49,10 @@ struct Font::Faces {
   std::unordered_map<std::uint64_t, Glyph> glyphs;
 
   Faces() {
-    const std::array files{lato_regular, lato_bold, lato_black};
-    for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
       One& one = all[i];
-      if (!stbtt_InitFont(&one.info, files[i].data(), 0)) std::abort();  // built in: cannot fail
+      if (!stbtt_InitFont(&one.info, fonts[i].bytes.data(), 0))
+        std::abort();  // built in: cannot fail
       const float em = stbtt_ScaleForMappingEmToPixels(&one.info, 1);
       int x0, y0, x1, y1;
       stbtt_GetCodepointBox(&one.info, 'H', &x0, &y0, &x1, &y1);

@@ -9,7 +9,7 @@
 namespace app {
 
 enum class PointerButton : std::uint8_t { left, right };
-enum class Key : std::uint8_t { enter, space, tab, back_tab, escape, left, right, up, down, r };
+enum class Key : std::uint8_t { enter, space, tab, back_tab, escape, left, right, up, down, r, n };
 
 struct PointerMoved {
   Point at;

@@ -34,16 +34,49 @@ void label(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_
   if (!utf8.empty()) canvas.list.boxes.push_back({Box::Kind::text, ink, std::string(utf8), size});
 }
 
-void pill(Canvas& canvas, Point middle, const Rect& bounds, const TextStyle& style,
-          std::string_view utf8, float opacity) {
+std::string elided(const Canvas& canvas, const TextStyle& style, std::string_view utf8,
+                   float width) {
+  if (label_width(canvas, style, utf8) <= width) return std::string(utf8);
+  const auto continues = [&] { return (static_cast<unsigned char>(utf8.back()) & 0xc0) == 0x80; };
+  std::string text;
+  do {
+    while (!utf8.empty() && continues()) utf8.remove_suffix(1);
+    if (utf8.empty()) return text;
+    utf8.remove_suffix(1);
+    text = std::string(utf8) + "…";
+  } while (label_width(canvas, style, text) > width);
+  return text;
+}
+
+void paragraph(Canvas& canvas, Rect box, const TextStyle& style, std::string_view utf8) {
+  const float line_height = canvas.px(style.size * 1.25f);
+  while (!utf8.empty() && box.h >= line_height) {
+    const bool last = box.h < 2 * line_height;
+    std::size_t end = utf8.size();
+    while (!last && label_width(canvas, style, utf8.substr(0, end)) > box.w) {
+      const std::size_t space = utf8.substr(0, end).rfind(' ');
+      if (space == std::string_view::npos) break;
+      end = space;
+    }
+    label(canvas, box.cut_top(line_height), style,
+          elided(canvas, style, utf8.substr(0, end), box.w));
+    utf8.remove_prefix(std::min(end + 1, utf8.size()));
+  }
+}
+
+Rect pill_box(const Canvas& canvas, Point middle, const Rect& bounds, const TextStyle& style,
+              std::string_view utf8) {
   const float height = canvas.px(style.size * 1.6f);
-  const float width = label_width(canvas, style, utf8) + height;
-  const Rect box = kept_inside(centered(middle, width, height), bounds);
-  fill_rounded(canvas.list, box, height / 2, faded({12, 17, 21, 215}, opacity));
+  return kept_inside(centered(middle, label_width(canvas, style, utf8) + height, height), bounds);
+}
+
+void pill(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_view utf8,
+          float opacity) {
+  fill_rounded(canvas.list, box, box.h / 2, faded({12, 17, 21, 215}, opacity));
   TextStyle inside = style;
   inside.align = Align::center;
   inside.color = faded(style.color, opacity);
-  label(canvas, box.inset(height / 2 - 1, 0), inside, utf8);
+  label(canvas, box.inset(box.h / 2 - 1, 0), inside, utf8);
 }
 
 }  // namespace app

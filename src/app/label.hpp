@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "app/canvas.hpp"
@@ -21,8 +22,18 @@ void label(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_
 /// How wide the line comes out if it has all the room it wants, px.
 float label_width(const Canvas& canvas, const TextStyle& style, std::string_view utf8);
 
-/// A line on a dark, rounded ground around `middle`, pushed inside `bounds`: legible over anything.
-void pill(Canvas& canvas, Point middle, const Rect& bounds, const TextStyle& style,
-          std::string_view utf8, float opacity = 1);
+/// The line, or as much of its start as fits in `width` (px), and "…".
+std::string elided(const Canvas& canvas, const TextStyle& style, std::string_view utf8,
+                   float width);
+
+/// Writes on as many lines as there is room for, from the top; the last is elided.
+void paragraph(Canvas& canvas, Rect box, const TextStyle& style, std::string_view utf8);
+
+/// The ground of a line around `middle`, pushed inside `bounds`.
+Rect pill_box(const Canvas& canvas, Point middle, const Rect& bounds, const TextStyle& style,
+              std::string_view utf8);
+/// A line on a dark, rounded ground: legible over anything.
+void pill(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_view utf8,
+          float opacity = 1);
 
 }  // namespace app

@@ -2,7 +2,7 @@
 
 #include "app/color.hpp"
 
-/// Every colour of the game: petrol felt, walnut, brass, on dark slate.
+/// Every colour of the games: petrol felt, walnut, brass, on dark slate; a level at dusk.
 namespace app::palette {
 
 inline constexpr Color slate_top = rgb(0x1c262e);
@@ -37,7 +37,24 @@ inline constexpr Color ivory = rgb(0xfbf5e4);
 inline constexpr Color ivory_shade = rgb(0x8f8468);
 inline constexpr Color red = rgb(0xd0222c);
 inline constexpr Color red_shade = rgb(0x4d0710);
+inline constexpr Color wood = rgb(0xd9a766);
+inline constexpr Color wood_shade = rgb(0x5d3a1b);
+inline constexpr Color wood_ring = rgb(0x6b431f);
+inline constexpr Color stone = rgb(0xaeb4b6);
+inline constexpr Color stone_shade = rgb(0x3b4449);
+inline constexpr Color stone_dark = rgb(0x2a3136);
+inline constexpr Color iron = rgb(0x2c2427);
 inline constexpr Color glint = rgb(0xffffff);
+
+inline constexpr Color sky_top = rgb(0x123a4e);
+inline constexpr Color sky_middle = rgb(0x4f8d97);
+inline constexpr Color sky_low = rgb(0xf2d7a2);
+inline constexpr Color sun = rgb(0xfff1c9);
+inline constexpr Color hills[3] = {rgb(0x7ba39b), rgb(0x4d807c), rgb(0x2d5f5e)};  ///< far to near
+inline constexpr Color grass = rgb(0x5f9a4c);
+inline constexpr Color grass_dark = rgb(0x2f5f33);
+inline constexpr Color soil = rgb(0x5a4030);
+inline constexpr Color soil_dark = rgb(0x241914);
 
 inline constexpr Color allowed = rgb(0xa8e6a1);
 inline constexpr Color refused = rgb(0xff7a66);

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// Where the player goes from a screen.
-enum class Transition : std::uint8_t { stay, title, billiards, quit };
+/// Where the player goes from a screen; `level` is the campaign's current one.
+enum class Transition : std::uint8_t { stay, title, billiards, levels, level, quit };
 
 /// What fills the window. Input and time go in; a picture and a transition come out.
 class Screen {

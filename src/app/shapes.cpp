@@ -17,8 +17,8 @@ int segments(float radius) {
 Point on_circle(float turn) { return {std::cos(tau * turn), std::sin(tau * turn)}; }
 
 void arc(Outline& outline, Point center, float radius, float from, float to) {
-  const int steps =
-      std::max(2, static_cast<int>(static_cast<float>(segments(radius)) * (to - from) + 0.5f));
+  const int steps = std::max(
+      2, static_cast<int>(std::lround(static_cast<float>(segments(radius)) * (to - from))));
   for (int i = 0; i <= steps; ++i) {
     const float turn = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
     outline.push_back(center + on_circle(turn) * radius);
@@ -69,6 +69,9 @@ Outline circle(Point center, float radius) { return ellipse(center, radius, radi
 
 Outline rounded(const Rect& box, float radius) {
   radius = std::min({radius, box.w / 2, box.h / 2});
+  if (radius <= 0)
+    return {
+        {box.right(), box.bottom()}, {box.x, box.bottom()}, {box.x, box.y}, {box.right(), box.y}};
   Outline outline;
   arc(outline, {box.right() - radius, box.bottom() - radius}, radius, 0, 0.25f);
   arc(outline, {box.x + radius, box.bottom() - radius}, radius, 0.25f, 0.5f);
@@ -144,8 +147,11 @@ void line(DrawList& list, Point from, Point to, float width, const Paint& paint)
 void dashed_line(DrawList& list, Point from, Point to, float width, float dash, Color color) {
   const float total = length(to - from);
   const Point way = unit(to - from);
-  for (float at = 0; at < total; at += 2 * dash)
+  const int dashes = static_cast<int>(std::ceil(total / (2 * dash)));
+  for (int i = 0; i < dashes; ++i) {
+    const float at = 2 * dash * static_cast<float>(i);
     line(list, from + way * at, from + way * std::min(at + dash, total), width, color);
+  }
 }
 
 void dashed_circle(DrawList& list, Point center, float radius, float width, int dashes,
@@ -154,6 +160,29 @@ void dashed_circle(DrawList& list, Point center, float radius, float width, int 
     const float turn = static_cast<float>(i) / static_cast<float>(dashes);
     const float end = turn + 0.5f / static_cast<float>(dashes);
     line(list, center + on_circle(turn) * radius, center + on_circle(end) * radius, width, color);
+  }
+}
+
+void fill_under(DrawList& list, std::span<const Point> ridge, float bottom, const Paint& paint) {
+  std::int32_t previous = 0;
+  for (std::size_t i = 0; i < ridge.size(); ++i) {
+    const Point p = ridge[i];
+    const std::int32_t top = list.add(p - Point{0, crisp / 2}, clear(paint.at(p)));
+    list.add(p + Point{0, crisp / 2}, paint.at(p));
+    list.add({p.x, bottom}, paint.at({p.x, bottom}));
+    if (i > 0) {
+      list.quad(previous, top, top + 1, previous + 1);
+      list.quad(previous + 1, top + 1, top + 2, previous + 2);
+    }
+    previous = top;
+  }
+}
+
+void clip(DrawList& list, std::size_t first, const Rect& area) {
+  if (area.w < 0 || area.h < 0) return;  // a window of next to no size
+  for (std::size_t i = first; i < list.vertices.size(); ++i) {
+    Point& p = list.vertices[i].position;
+    p = {std::clamp(p.x, area.x, area.right()), std::clamp(p.y, area.y, area.bottom())};
   }
 }
 

@@ -16,7 +16,8 @@ class Paint {
   /// `a` at point `start` and before, `b` at point `end` and beyond.
   Paint(Point start, Color a, Point end, Color b) : start_(start), from_(a), to_(b) {
     const Point way = end - start;
-    axis_ = way * (1 / dot(way, way));
+    const float square = dot(way, way);
+    if (square > 0) axis_ = way * (1 / square);  // a box of no size has one colour
   }
   static Paint vertical(const Rect& box, Color top, Color bottom) {
     return {{box.x, box.y}, top, {box.x, box.bottom()}, bottom};
@@ -62,7 +63,13 @@ void line(DrawList& list, Point from, Point to, float width, const Paint& paint)
 void dashed_line(DrawList& list, Point from, Point to, float width, float dash, Color color);
 void dashed_circle(DrawList& list, Point center, float radius, float width, int dashes,
                    Color color);
+/// Fills from a ridge, points from left to right, down to `bottom`.
+void fill_under(DrawList& list, std::span<const Point> ridge, float bottom, const Paint& paint);
 /// A light or shadow that fades smoothly from its centre to its edge.
 void glow(DrawList& list, Point center, float across, float down, Color color);
+
+/// Squeezes what was drawn from vertex `first` on into `area`: for what fades or is one colour
+/// there.
+void clip(DrawList& list, std::size_t first, const Rect& area);
 
 }  // namespace app

@@ -12,10 +12,10 @@ struct Entry {
 
 constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::product, {"Angry Balls", "Angry Balls"}},
-    {Text::tagline,
-     {"Thirty-six reds, one furious cue ball", "Trente-six rouges, une blanche furieuse"}},
+    {Text::tagline, {"Two games, one furious ball", "Deux jeux, une boule furieuse"}},
     {Text::title_screen, {"title screen", "écran titre"}},
     {Text::billiards, {"Billiards", "Billard"}},
+    {Text::angry_balls, {"Angry Balls", "Angry Balls"}},
     {Text::quit, {"Quit", "Quitter"}},
     {Text::player, {"Player {0}", "Joueur {0}"}},
     {Text::to_play, {"To play", "À jouer"}},
@@ -66,7 +66,79 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::state,
      {"{0} · {1} · Player 1: {2} · Player 2: {3} · balls left: {4}",
       "{0} · {1} · Joueur 1 : {2} · Joueur 2 : {3} · boules restantes : {4}"}},
+    {Text::choose_level, {"Choose a level", "Choisissez un niveau"}},
+    {Text::level_menu, {"level menu", "choix du niveau"}},
+    {Text::best, {"Best: {0}", "Record : {0}"}},
+    {Text::not_won_yet, {"Not won yet", "À gagner"}},
+    {Text::page, {"Page {0} of {1}", "Page {0} sur {1}"}},
+    {Text::previous_page, {"‹ Previous", "‹ Avant"}},
+    {Text::next_page, {"Next ›", "Après ›"}},
+    {Text::title_button, {"Title", "Titre"}},
+    {Text::hint_choose_level,
+     {"Break every horned ball, or drive it out.",
+      "Brisez ou chassez toutes les boules à cornes."}},
+    {Text::hint_broken_level, {"Cannot be played: {0}", "Injouable : {0}"}},
+    {Text::scores_set_aside,
+     {"The scores could not be read; they are kept as scores.json.broken.",
+      "Records illisibles, mis de côté dans scores.json.broken."}},
+    {Text::scores_not_kept,
+     {"Best scores cannot be saved.", "Les records ne peuvent pas être gardés."}},
+    {Text::menu, {"Menu", "Menu"}},
+    {Text::score, {"Score", "Score"}},
+    {Text::throws, {"Throws", "Lancers"}},
+    {Text::enemies, {"Enemies", "Ennemis"}},
+    {Text::goal, {"Enemies: {0} · throws: {1}", "Ennemis : {0} · lancers : {1}"}},
+    {Text::level_and_name, {"Level {0}: {1}", "Niveau {0} : {1}"}},
+    {Text::hint_take_projectile,
+     {"Click the angry ball to take it.", "Cliquez sur la boule en colère."}},
+    {Text::hint_not_projectile,
+     {"Not there: click the angry ball on its post.", "Pas là : cliquez sur la boule en colère."}},
+    {Text::hint_throw,
+     {"Click where to throw it. Esc or right click: take it back.",
+      "Cliquez où la lancer. Échap ou clic droit : annuler."}},
+    {Text::hint_flying, {"There it goes…", "C’est parti…"}},
+    {Text::hint_next,
+     {"All is calm. Click anywhere, or press N, for the next throw.",
+      "Tout est calme. Cliquez, ou touche N, pour relancer."}},
+    {Text::hint_finish,
+     {"That was the last throw. Click anywhere, or press N, to end.",
+      "C’était le dernier lancer. Cliquez, ou touche N."}},
+    {Text::next_throw, {"Next throw (N)", "Lancer suivant (N)"}},
+    {Text::finish, {"End of the level (N)", "Fin du niveau (N)"}},
+    {Text::won, {"Level won!", "Niveau gagné !"}},
+    {Text::lost, {"Level lost", "Niveau perdu"}},
+    {Text::new_best, {"A new best score!", "Nouveau record !"}},
+    {Text::throws_used, {"Throws used: {0} of {1}", "Lancers : {0} sur {1}"}},
+    {Text::enemies_remain, {"Enemies left: {0}", "Ennemis restants : {0}"}},
+    {Text::next_level, {"Next level", "Suivant"}},
+    {Text::ask_leave_level, {"Leave the level?", "Quitter le niveau ?"}},
+    {Text::level_is_lost, {"This try will be lost.", "Cet essai sera perdu."}},
+    {Text::ready_to_throw, {"click the angry ball to throw", "cliquez sur la boule pour lancer"}},
+    {Text::watching_throw, {"watching the throw", "le lancer est en cours"}},
+    {Text::next_offered, {"click for the next throw", "cliquez pour le lancer suivant"}},
+    {Text::finish_offered, {"click to end the level", "cliquez pour finir le niveau"}},
+    {Text::level_state,
+     {"{0} · {1} · {2} · score: {3} · throws left: {4} · enemies left: {5}",
+      "{0} · {1} · {2} · score : {3} · lancers restants : {4} · ennemis restants : {5}"}},
+    {Text::menu_state, {"{0} · {1} · levels: {2}", "{0} · {1} · niveaux : {2}"}},
 }};
+
+struct LevelName {
+  std::string_view english;
+  std::string_view french;
+};
+constexpr std::array level_names{
+    LevelName{"First steps", "Premiers pas"},
+    LevelName{"Two towers", "Les deux tours"},
+    LevelName{"Pass it on", "Faites passer"},
+    LevelName{"Off the back wall", "Par la bande"},
+    LevelName{"Over the wall", "Par-dessus le mur"},
+    LevelName{"Skittles", "Les quilles"},
+    LevelName{"The pit", "La fosse"},
+    LevelName{"Sentinels", "Les sentinelles"},
+    LevelName{"The crown", "La couronne"},
+    LevelName{"The fortress", "La forteresse"},
+};
 
 static_assert(
     [] {
@@ -105,6 +177,12 @@ std::string Words::number(int value) const {
     digits.insert(at, separator);
   }
   return digits;
+}
+
+std::string Words::level_name(std::string_view name) const {
+  for (const LevelName& known : level_names)
+    if (language_ == Language::french && known.english == name) return std::string(known.french);
+  return std::string(name);
 }
 
 std::string Words::player(int player) const { return (*this)(Text::player, {number(player + 1)}); }

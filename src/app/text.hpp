@@ -18,6 +18,7 @@ enum class Text : std::uint8_t {
   tagline,
   title_screen,
   billiards,
+  angry_balls,
   quit,
   player,
   to_play,
@@ -57,6 +58,46 @@ enum class Text : std::uint8_t {
   watching,
   placing,
   state,
+  choose_level,
+  level_menu,
+  best,
+  not_won_yet,
+  page,
+  previous_page,
+  next_page,
+  title_button,
+  hint_choose_level,
+  hint_broken_level,
+  scores_set_aside,
+  scores_not_kept,
+  menu,
+  score,
+  throws,
+  enemies,
+  goal,
+  level_and_name,
+  hint_take_projectile,
+  hint_not_projectile,
+  hint_throw,
+  hint_flying,
+  hint_next,
+  hint_finish,
+  next_throw,
+  finish,
+  won,
+  lost,
+  new_best,
+  throws_used,
+  enemies_remain,
+  next_level,
+  ask_leave_level,
+  level_is_lost,
+  ready_to_throw,
+  watching_throw,
+  next_offered,
+  finish_offered,
+  level_state,
+  menu_state,
   count,
 };
 
@@ -69,6 +110,8 @@ class Words {
   std::string operator()(Text text, std::initializer_list<std::string_view> values = {}) const;
   /// Thousands set apart as the language does.
   std::string number(int value) const;
+  /// A shipped level's name in the language; others are left as they are.
+  std::string level_name(std::string_view name) const;
   /// "Player 1" for 0.
   std::string player(int player) const;
 

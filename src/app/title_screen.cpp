@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/balls.hpp"
+#include "app/faces.hpp"
 #include "app/label.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
@@ -10,69 +11,47 @@
 namespace app {
 namespace {
 
-enum Choice : std::size_t { play_billiards, quit };
+enum Choice : std::size_t { play_billiards, play_angry_balls, quit };
 
 constexpr float rail = 40;  ///< units, the wood along the bottom
 constexpr int rows = 8;     ///< of the rack
 constexpr float row_distance = 1.7320508f;
 
-/// The cue ball with a temper. `r` is its radius.
-void draw_angry_ball(DrawList& list, Point c, float r) {
-  draw_ball(list, c, r, ivory_ball);
-  const Color dark = rgb(0x1b1512);
-  for (const float side : {-1.0f, 1.0f}) {
-    // It glares at the rack, to the right.
-    const Point eye = c + Point{r * (0.12f + side * 0.34f), -r * 0.02f};
-    fill_disc(list, eye, r * 0.2f, rgb(0xffffff));
-    stroke_circle(list, eye, r * 0.2f, r * 0.025f, faded(dark, 0.5f));
-    fill_disc(list, eye + Point{r * 0.06f, r * 0.03f}, r * 0.105f, dark);
-    fill_disc(list, eye + Point{r * 0.09f, -r * 0.01f}, r * 0.032f, rgb(0xffffff));
-    const Point inner = eye + Point{-side * r * 0.24f, -r * 0.1f};
-    const Point outer = eye + Point{side * r * 0.24f, -r * 0.34f};
-    fill(list, capsule(inner, outer, r * 0.15f), dark);
-  }
-  const Point mouth = c + Point{r * 0.13f, r * 0.5f};
-  const float half = r * 0.27f;
-  constexpr int bends = 12;
-  const auto scowl = [&](int i) {
-    const float t = static_cast<float>(i) / bends * 2 - 1;
-    return mouth + Point{half * t, r * 0.14f * t * t};
-  };
-  for (int i = 0; i < bends; ++i) fill(list, capsule(scowl(i), scowl(i + 1), r * 0.09f), dark);
-}
-
 }  // namespace
 
 TitleScreen::TitleScreen(const Words& words)
-    : words_(words), buttons_({words(Text::billiards), words(Text::quit)}, play_billiards) {}
+    : words_(words),
+      buttons_({words(Text::billiards), words(Text::angry_balls), words(Text::quit)},
+               play_billiards) {}
 
 void TitleScreen::resize(const View& view) {
   Rect rest = view.area();
   rest.cut_bottom(view.px(rail));
   rest = rest.inset(view.px(32), view.px(24));
   const bool tall = view.height > view.width;
-  Rect words = tall ? rest.cut_bottom(std::min(view.px(400), rest.h * 0.62f))
+  Rect words = tall ? rest.cut_bottom(std::min(view.px(448), rest.h * 0.64f))
                     : rest.cut_left(std::max(std::min(rest.w * 0.45f, view.px(480)),
                                              std::min(rest.w * 0.58f, view.px(288))));
   art_ = rest;
-  if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(408)));
+  if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(456)));
 
   // Heights give way together in a very low window.
-  const float unit = std::min(view.px(1), words.h / 400);
-  wordmark_ = words.cut_top(unit * 208);
-  words.cut_top(unit * 8);
+  const float unit = std::min(view.scale, words.h / 448);
+  wordmark_ = words.cut_top(unit * 200);
+  words.cut_top(unit * 4);
   tagline_ = words.cut_top(unit * 32);
-  words.cut_top(unit * 24);
+  words.cut_top(unit * 20);
   const float width = std::min(words.w, view.px(304));
   const float left = tall ? words.center().x - width / 2 : words.x;
-  buttons_.place(play_billiards, {left, words.y, width, unit * 56});
-  buttons_.place(quit, {left, words.y + unit * 72, width, unit * 56});
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    buttons_.place(i, {left, words.y + unit * 66 * static_cast<float>(i), width, unit * 54});
 }
 
 Transition TitleScreen::event(const Input& input) {
   if (is_key(input, Key::escape)) return Transition::quit;
   const auto chosen = buttons_.event(input);
   if (chosen == play_billiards) return Transition::billiards;
+  if (chosen == play_angry_balls) return Transition::levels;
   if (chosen == quit) return Transition::quit;
   return Transition::stay;
 }
@@ -157,7 +136,8 @@ void TitleScreen::draw_art(Canvas& canvas) const {
          Paint(tail, faded(palette::cream, 0), head, faded(palette::cream, 0.5f)));
   }
   draw_ball_shadow(list, cue, cue_radius);
-  draw_angry_ball(list, cue, cue_radius);
+  draw_ball(list, cue, cue_radius, ivory_ball);
+  draw_angry_face(list, cue, cue_radius);
 }
 
 std::string TitleScreen::describe() const {

@@ -2,15 +2,18 @@
 
 namespace app {
 
-Viewport::Viewport(const Rect& area, carom::Vec2 size, double margin) {
-  const double across = size.x + 2 * margin;
-  const double down = size.y + 2 * margin;
+Viewport::Viewport(const Rect& area, carom::Vec2 size, double margin)
+    : Viewport(area, {-margin, -margin}, {size.x + margin, size.y + margin}) {}
+
+Viewport::Viewport(const Rect& area, carom::Vec2 from, carom::Vec2 to) {
+  const carom::Vec2 size = to - from;
   // A window may be squeezed to nothing; the scale stays positive for to_world.
   scale_ = std::max(
-      std::min(static_cast<double>(area.w) / across, static_cast<double>(area.h) / down), 0.01);
+      std::min(static_cast<double>(area.w) / size.x, static_cast<double>(area.h) / size.y), 1e-9);
   const Point middle = area.center();
-  origin_ = {static_cast<double>(middle.x) - size.x / 2 * scale_,
-             static_cast<double>(middle.y) + size.y / 2 * scale_};
+  const carom::Vec2 center = 0.5 * (from + to);
+  origin_ = {std::round(static_cast<double>(middle.x) - center.x * scale_),
+             std::round(static_cast<double>(middle.y) + center.y * scale_)};
 }
 
 Point Viewport::to_window(carom::Vec2 world) const {

@@ -12,6 +12,8 @@ class Viewport {
   Viewport() = default;
   /// The world from (0, 0) to `size`, with a `margin` (world px) around it, shown within `area`.
   Viewport(const Rect& area, carom::Vec2 size, double margin);
+  /// The world between two corners, the lower left and the upper right one.
+  Viewport(const Rect& area, carom::Vec2 from, carom::Vec2 to);
 
   Point to_window(carom::Vec2 world) const;
   carom::Vec2 to_world(Point window) const;
@@ -21,7 +23,7 @@ class Viewport {
 
  private:
   double scale_ = 1;
-  carom::Vec2 origin_;  ///< the world's (0, 0), in window px
+  carom::Vec2 origin_;  ///< the world's (0, 0), in window px: a whole pixel
 };
 
 }  // namespace app

@@ -19,11 +19,13 @@ std::optional<std::size_t> Buttons::find(Point at) const {
   return std::nullopt;
 }
 
-void Buttons::move_focus(std::size_t by) {
+void Buttons::move_focus(std::ptrdiff_t by) {
+  const auto n = static_cast<std::ptrdiff_t>(buttons_.size());
   if (focused_)
-    focused_ = (*focused_ + by) % buttons_.size();
+    focused_ =
+        static_cast<std::size_t>(((static_cast<std::ptrdiff_t>(*focused_) + by) % n + n) % n);
   else
-    focused_ = primary_.value_or(by == 1 ? 0 : buttons_.size() - 1);
+    focused_ = primary_.value_or(by > 0 ? 0 : buttons_.size() - 1);
 }
 
 std::optional<std::size_t> Buttons::event(const Input& input) {
@@ -41,13 +43,17 @@ std::optional<std::size_t> Buttons::event(const Input& input) {
     switch (key->key) {
       case Key::tab:
       case Key::right:
-      case Key::down:
         move_focus(1);
         break;
       case Key::back_tab:
       case Key::left:
+        move_focus(-1);
+        break;
+      case Key::down:
+        move_focus(static_cast<std::ptrdiff_t>(columns_));
+        break;
       case Key::up:
-        move_focus(buttons_.size() - 1);
+        move_focus(-static_cast<std::ptrdiff_t>(columns_));
         break;
       case Key::enter:
         return focused_ ? focused_ : primary_;
@@ -61,30 +67,31 @@ std::optional<std::size_t> Buttons::event(const Input& input) {
 }
 
 void Buttons::draw(Canvas& canvas, float text_size) const {
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    const bool primary = primary_ == i;
-    const bool hovered = hovered_ == i;
-    const bool pressed = pressed_ == i && hovered;
-    Color face = primary ? palette::brass : palette::panel_lit;
-    if (hovered) face = mix(face, palette::cream, 0.18f);
-    if (pressed) face = mix(face, palette::ink, 0.3f);
-    Rect box = buttons_[i].box;
-    const float radius = canvas.px(8);
+  for (std::size_t i = 0; i < buttons_.size(); ++i) draw_one(canvas, i, text_size);
+}
 
-    if (focused_ == i)
-      stroke_rounded(canvas.list, box.inset(-canvas.px(3)), radius + canvas.px(3), canvas.px(2),
-                     palette::cream);
-    fill_rounded(canvas.list, box.moved({0, canvas.px(2)}), radius, faded(palette::ink, 0.6f),
-                 canvas.px(3));
-    if (pressed) box = box.moved({0, canvas.px(1)});
-    fill_rounded(canvas.list, box, radius,
-                 Paint::vertical(box, mix(face, palette::cream, 0.10f), face));
-    stroke_rounded(canvas.list, box.inset(0.5f), radius, 1, faded(palette::cream, 0.22f));
-    label(canvas, box.inset(canvas.px(10), 0),
-          {Face::bold, text_size, primary ? palette::ink : palette::cream, Align::center},
-          buttons_[i].label);
-    canvas.list.boxes.push_back({Box::Kind::button, buttons_[i].box, buttons_[i].label, 0});
-  }
+void Buttons::draw_one(Canvas& canvas, std::size_t index, float text_size) const {
+  const bool primary = primary_ == index;
+  Color face = primary ? palette::brass : palette::panel_lit;
+  if (hovered(index)) face = mix(face, palette::cream, 0.18f);
+  if (pressed(index)) face = mix(face, palette::ink, 0.3f);
+  const Button& button = buttons_[index];
+  Rect box = button.box;
+  const float radius = canvas.px(8);
+
+  if (focused(index))
+    stroke_rounded(canvas.list, box.inset(-canvas.px(3)), radius + canvas.px(3), canvas.px(2),
+                   palette::cream);
+  fill_rounded(canvas.list, box.moved({0, canvas.px(2)}), radius, faded(palette::ink, 0.6f),
+               canvas.px(3));
+  if (pressed(index)) box = box.moved({0, canvas.px(1)});
+  fill_rounded(canvas.list, box, radius,
+               Paint::vertical(box, mix(face, palette::cream, 0.10f), face));
+  stroke_rounded(canvas.list, box.inset(0.5f), radius, 1, faded(palette::cream, 0.22f));
+  label(canvas, box.inset(canvas.px(10), 0),
+        {Face::bold, text_size, primary ? palette::ink : palette::cream, Align::center},
+        button.label);
+  canvas.list.boxes.push_back({Box::Kind::button, button.box, button.label, 0});
 }
 
 }  // namespace app

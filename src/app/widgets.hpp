@@ -25,16 +25,26 @@ class Buttons {
   bool cover(Point at) const { return find(at).has_value(); }
   void draw(Canvas& canvas, float text_size = 16) const;
 
+  // For those who draw a button themselves, and for draw().
+  const Rect& box(std::size_t index) const { return buttons_[index].box; }
+  bool hovered(std::size_t index) const { return hovered_ == index; }
+  bool pressed(std::size_t index) const { return pressed_ == index && hovered_ == index; }
+  bool focused(std::size_t index) const { return focused_ == index; }
+  void draw_one(Canvas& canvas, std::size_t index, float text_size) const;
+  /// Up and down move the focus by so many.
+  void set_columns(std::size_t columns) { columns_ = columns; }
+
  private:
   struct Button {
     std::string label;
     Rect box;
   };
   std::optional<std::size_t> find(Point at) const;
-  void move_focus(std::size_t by);
+  void move_focus(std::ptrdiff_t by);
 
   std::vector<Button> buttons_;
   std::optional<std::size_t> primary_;
+  std::size_t columns_ = 1;
   std::optional<std::size_t> hovered_;
   std::optional<std::size_t> pressed_;
   std::optional<std::size_t> focused_;  ///< shown only to those who use the keyboard

@@ -2,11 +2,17 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "files/files.hpp"
+#include "platform/data_folder.hpp"
+#include "platform/level_files.hpp"
 #include "platform/null_platform.hpp"
 #include "platform/sdl_platform.hpp"
 
@@ -24,6 +30,7 @@ constexpr int greatest_side = 8192;
 constexpr const char* examples = R"(Examples:
   angry-balls                       play in a window (F11: full screen)
   angry-balls --size 1920x1080 --lang fr
+  angry-balls my-level.json my-levels/
   angry-balls --script demos/billiards.jsonl --screenshot end.png
   echo '{"at": 1, "click": [100, 420]}' | angry-balls --script -
 
@@ -33,8 +40,11 @@ window pixels:
   {"at": 1, "move": [10, 20]}
   {"at": 1.5, "key": "Escape"}
   {"at": 2, "screenshot": "shot.png"}
-It plays without a display, as fast as it can, the same every time; then one line tells what is on
-screen.
+It plays without a display, as fast as it can, the same every time, with no scores and no levels of
+yours but those named; then one line tells what is on screen.
+
+Best scores are kept in $XDG_DATA_HOME/angry-balls/scores.json, levels of your own are found in
+$XDG_DATA_HOME/angry-balls/levels (XDG_DATA_HOME is ~/.local/share unless set).
 
 Exit status: 0 done, 2 bad command line or script, 3 a file cannot be written, 4 no display.)";
 
@@ -43,6 +53,7 @@ struct Options {
   std::string screenshot;
   std::pair<int, int> size{1280, 720};
   std::string language;
+  std::vector<std::filesystem::path> levels;
 };
 
 /// The language the environment asks for (POSIX: the first of these that is set and not empty).
@@ -77,7 +88,8 @@ int play_script(const Options& options, app::Language language) {
   const auto script = platform::parse_script(text.value());
   if (!script) return report(script.errors(), name, bad_input);
 
-  platform::NullPlatform game(language, options.size.first, options.size.second);
+  platform::NullPlatform game(language, options.size.first, options.size.second,
+                              platform::read_levels(options.levels));
   if (const auto status = game.run(script.value()); !status)
     return report(status.errors(), {}, cannot_write);
   if (!options.screenshot.empty())
@@ -87,11 +99,32 @@ int play_script(const Options& options, app::Language language) {
   return done;
 }
 
+int play_in_window(const Options& options, app::Language language) {
+  app::MemoryStore forgetful;
+  std::optional<platform::FolderStore> folder_store;
+  std::vector<std::filesystem::path> levels = options.levels;
+  if (const auto folder = platform::data_folder()) {
+    folder_store.emplace(*folder);
+    std::error_code ignored;
+    if (std::filesystem::exists(*folder / "levels", ignored))
+      levels.insert(levels.begin(), *folder / "levels");
+  }
+  app::Store& store = folder_store ? static_cast<app::Store&>(*folder_store) : forgetful;
+  const std::string problem = platform::play_in_window(
+      language, options.size.first, options.size.second, store, platform::read_levels(levels));
+  if (problem.empty()) return done;
+  std::cerr << "angry-balls: no display: " << problem
+            << " (a script plays without one: --script FILE)\n";
+  return no_display;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App cli("Angry Balls: billiards for two.", "angry-balls");
+  CLI::App cli("Angry Balls: billiards for two, and levels to break to pieces.", "angry-balls");
+  cli.add_option("LEVELS", options.levels, "Levels of your own: files, and folders of *.json files")
+      ->type_name("");
   cli.footer(examples);
   cli.set_version_flag("--version", ANGRY_BALLS_VERSION);
   auto* script =
@@ -119,10 +152,5 @@ int main(int argc, char** argv) {
       app::language_of_locale(options.language.empty() ? environment_locale() : options.language);
   if (!options.script.empty()) return play_script(options, language);
 
-  const std::string problem =
-      platform::play_in_window(language, options.size.first, options.size.second);
-  if (problem.empty()) return done;
-  std::cerr << "angry-balls: no display: " << problem
-            << " (a script plays without one: --script FILE)\n";
-  return no_display;
+  return play_in_window(options, language);
 }

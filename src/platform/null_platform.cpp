@@ -1,6 +1,7 @@
 #include "platform/null_platform.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "platform/png.hpp"
 
@@ -12,8 +13,9 @@ constexpr nanoseconds frame{16'666'667};
 
 }  // namespace
 
-NullPlatform::NullPlatform(app::Language language, int width, int height)
-    : app_(language, width, height), width_(width), height_(height) {}
+NullPlatform::NullPlatform(app::Language language, int width, int height,
+                           std::vector<app::Level> levels)
+    : app_(language, width, height, store_, std::move(levels)), width_(width), height_(height) {}
 
 carom::Status NullPlatform::run(const Script& script) {
   nanoseconds now{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "app/app.hpp"
 #include "platform/raster.hpp"
@@ -11,7 +12,8 @@ namespace platform {
 /// A window that is not there: plays a script as fast as it can, the same every time.
 class NullPlatform {
  public:
-  NullPlatform(app::Language language, int width, int height);
+  /// `levels`: beside the shipped ones. Scores are kept in memory only.
+  NullPlatform(app::Language language, int width, int height, std::vector<app::Level> levels = {});
 
   /// Plays on until the script ends or the game quits. Fails when a picture cannot be written.
   carom::Status run(const Script& script);
@@ -22,8 +24,10 @@ class NullPlatform {
   carom::Status screenshot(const std::filesystem::path& path);
 
   app::App& app() { return app_; }
+  app::Store& store() { return store_; }
 
  private:
+  app::MemoryStore store_;
   app::App app_;
   int width_;
   int height_;

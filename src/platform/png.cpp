@@ -23,7 +23,7 @@ carom::Status write_png(const std::filesystem::path& path, const Image& image) {
   if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
                              image.width * 4) == 0)
     return carom::Error{.pointer = path.string(), .problem = "cannot be encoded", .expected = {}};
-  const carom::Status written = files::write(path, bytes);
+  carom::Status written = files::write(path, bytes);
   if (written) return written;
   carom::Errors errors = written.errors();
   for (carom::Error& error : errors) error.pointer = path.string();

@@ -41,7 +41,8 @@ struct Side {
 std::uint32_t times(std::uint32_t a, std::uint32_t b) { return (a * b + 127) / 255; }
 
 std::uint8_t to_byte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 255.0f) + 0.5f);
+  const float half_up = std::clamp(value, 0.0f, 255.0f) + 0.5f;
+  return static_cast<std::uint8_t>(half_up);
 }
 
 class Rasterizer {

@@ -16,7 +16,7 @@ using nlohmann::json;
 constexpr double longest = 86'400;  ///< s
 constexpr double widest = 100'000;  ///< px
 
-constexpr std::array<std::pair<std::string_view, app::Key>, 10> keys{{
+constexpr std::array<std::pair<std::string_view, app::Key>, 11> keys{{
     {"Return", app::Key::enter},
     {"Space", app::Key::space},
     {"Tab", app::Key::tab},
@@ -27,6 +27,7 @@ constexpr std::array<std::pair<std::string_view, app::Key>, 10> keys{{
     {"Up", app::Key::up},
     {"Down", app::Key::down},
     {"R", app::Key::r},
+    {"N", app::Key::n},
 }};
 
 constexpr std::string_view line_form =
@@ -76,7 +77,7 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
       const auto pressed = key(value);
       if (!pressed)
         return wrong("/key", value,
-                     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down or R");
+                     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down, R or N");
       ++actions;
       result.action = Press{*pressed};
     } else if (name == "screenshot") {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/app.hpp"
@@ -75,6 +76,8 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
       return app::Key::down;
     case SDLK_r:
       return app::Key::r;
+    case SDLK_n:
+      return app::Key::n;
     default:
       return std::nullopt;
   }
@@ -82,12 +85,13 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
 
 class Player {
  public:
-  Player(app::Language language, int width, int height)
+  Player(app::Language language, int width, int height, app::Store& store,
+         std::vector<app::Level> levels)
       : window_(owned(SDL_CreateWindow("Angry Balls", SDL_WINDOWPOS_CENTERED,
                                        SDL_WINDOWPOS_CENTERED, width, height,
                                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI))),
         renderer_(make_renderer()),
-        app_(language, width, height) {
+        app_(language, width, height, store, std::move(levels)) {
     SDL_SetWindowMinimumSize(window_.get(), smallest_width, smallest_height);
     measure();
   }
@@ -243,10 +247,11 @@ class Player {
 
 }  // namespace
 
-std::string play_in_window(app::Language language, int width, int height) {
+std::string play_in_window(app::Language language, int width, int height, app::Store& store,
+                           std::vector<app::Level> levels) {
   try {
     const Library sdl;
-    Player(language, width, height).run();
+    Player(language, width, height, store, std::move(levels)).run();
     return {};
   } catch (const std::runtime_error& error) {
     return error.what();

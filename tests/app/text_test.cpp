@@ -28,10 +28,17 @@ TEST(Words, NumbersAreGroupedAsTheLanguageDoes) {
   EXPECT_EQ(french.number(12300), "12\u202f300");
 }
 
+TEST(Words, ShippedLevelsHaveFrenchNames) {
+  EXPECT_EQ(Words(Language::french).level_name("First steps"), "Premiers pas");
+  EXPECT_EQ(Words(Language::english).level_name("First steps"), "First steps");
+  EXPECT_EQ(Words(Language::french).level_name("My own"), "My own");
+}
+
 TEST(Words, EveryTextInEveryLanguage) {
   for (const Language language : {Language::english, Language::french}) {
     for (int i = 0; i < static_cast<int>(Text::count); ++i) {
-      const std::string text = Words(language)(static_cast<Text>(i), {"a", "b", "c", "d", "e"});
+      const std::string text =
+          Words(language)(static_cast<Text>(i), {"a", "b", "c", "d", "e", "f"});
       EXPECT_FALSE(text.empty());
       EXPECT_EQ(text.find('{'), std::string::npos) << text;
     }

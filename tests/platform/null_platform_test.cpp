@@ -14,6 +14,13 @@ constexpr const char* one_shot = R"({"at": 0.5, "key": "Return"}
 {"at": 1.87, "move": [3, 3]}
 )";
 
+constexpr const char* one_throw = R"({"at": 0.5, "click": [221, 483]}
+{"at": 1, "click": [138, 190]}
+{"at": 1.5, "click": [231, 494]}
+{"at": 2, "click": [393, 509]}
+{"at": 2.8, "move": [3, 3]}
+)";
+
 struct Played : NullPlatform {
   explicit Played(const char* script, app::Language language = app::Language::english)
       : NullPlatform(language, 1280, 720) {
@@ -32,6 +39,14 @@ TEST(NullPlatform, SameScriptSamePicture) {
   EXPECT_EQ(picture.rgba, one.picture().rgba);
 }
 
+TEST(NullPlatform, SameThrowSamePicture) {
+  Played one(one_throw);
+  Played two(one_throw);
+  EXPECT_NE(one.app().describe().find("watching the throw · score: 100"), std::string::npos)
+      << one.app().describe();
+  EXPECT_EQ(one.picture().rgba, two.picture().rgba);
+}
+
 TEST(NullPlatform, TellsWhatIsOnScreen) {
   EXPECT_EQ(Played("").app().describe(), "Angry Balls · title screen");
   EXPECT_EQ(Played(one_shot).app().describe(),
@@ -48,10 +63,19 @@ TEST(NullPlatform, EscapeGoesBackAndThenQuits) {
   EXPECT_TRUE(game.app().quit_requested());
 }
 
+std::string demonstration(const std::string& name) {
+  std::ifstream file(SOURCE_DIR "/demos/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(NullPlatform, TheDemonstrationOfAngryBallsWinsTwoLevels) {
+  Played game(demonstration("angry-balls.jsonl").c_str());
+  EXPECT_NE(game.app().describe().find("Level 2: Two towers · Level won!"), std::string::npos)
+      << game.app().describe();
+}
+
 TEST(NullPlatform, TheDemonstrationPlaysThreeTurns) {
-  std::ifstream file(SOURCE_DIR "/demos/billiards.jsonl");
-  const std::string script(std::istreambuf_iterator<char>(file), {});
-  Played game(script.c_str());
+  Played game(demonstration("billiards.jsonl").c_str());
   EXPECT_TRUE(game.app().animating());
   EXPECT_NE(game.app().describe().find("Player 1 watches the shot"), std::string::npos)
       << game.app().describe();

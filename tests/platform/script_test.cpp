@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
             "file:1: /click: is [1,1e+300]; expected a point of the window, [x, y] (px)"},
         Bad{"{\"at\":1,\"key\":\"Q\"}",
             "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down or R"},
+            "Right, Up, Down, R or N"},
         Bad{"{\"at\":1,\"move\":[1,2],\"button\":\"left\"}",
             "file:1: /button: is \"left\"; expected \"left\" or \"right\", beside \"click\""},
         Bad{"{\"at\":1,\"screenshot\":\"\"}",

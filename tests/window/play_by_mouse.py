@@ -3,19 +3,21 @@
 xdotool. What the game shows is read from the window's title; a picture of the screen is kept."""
 
 import argparse
+import json
 import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import time
 
 WIDTH, HEIGHT = 1280, 720
 
 
 class Window:
-    def __init__(self, program, arguments):
-        self.game = subprocess.Popen([program, "--size", f"{WIDTH}x{HEIGHT}", "--lang", "en",
-                                      *arguments])
+    def __init__(self, program, data, size, *arguments):
+        self.game = subprocess.Popen([program, "--size", size, "--lang", "en", *arguments],
+                                     env={**os.environ, "XDG_DATA_HOME": str(data)})
         self.id = None
         self.wait_for("title screen")
 
@@ -73,7 +75,7 @@ def check(condition, message):
 
 
 def billiards(window, pictures):
-    window.click(220, 383)
+    window.click(220, 402)
     window.wait_for("Player 1 aims")
     # A click that is not on the cue ball, and a first click taken back, change nothing.
     window.click(640, 300)
@@ -106,6 +108,45 @@ def billiards(window, pictures):
     window.wait_for("title screen")
 
 
+def angry_balls(window, pictures, data):
+    """The window is one in which a level of 1000 × 500 px is shown pixel by pixel."""
+    window.click(220, 481)
+    window.wait_for("level menu · levels: 12")
+    window.click(134, 163)
+    window.wait_for("Level 1: First steps")
+    # A click beside the projectile, and a first click taken back, change nothing.
+    window.click(500, 250)
+    window.click(110, 496)
+    window.click(400, 300, button=3)
+    window.wait_for("click the angry ball")
+    # A throw out of the level, by two clicks; the next one is offered and taken by a click.
+    window.click(110, 496)
+    window.click(10, 480)
+    window.wait_for("click for the next throw · score: 0 · throws left: 2 · enemies left: 2")
+    window.click(500, 300)
+    window.wait_for("click the angry ball")
+    # The recorded throw.
+    throw = pathlib.Path(__file__).parents[2] / "levels" / "01-first-steps.throws"
+    x, y = map(int, throw.read_text().split())
+    window.click(110, 496)
+    window.move(200, 500)
+    window.click(110 + x, 496 - y)
+    window.wait_for("watching the throw · score: 100")
+    check(window.colours_on_screen(pictures / "window-angry-balls.png") > 2000,
+          "the window shows next to nothing")
+    window.wait_for("Level won! · score: 300 · throws left: 1 · enemies left: 0")
+    scores = json.loads((data / "angry-balls" / "scores.json").read_text())
+    check(scores["angry-balls-scores"] == 1 and list(scores["best"].values()) == [300],
+          f"wrong scores: {scores}")
+    time.sleep(2.5)
+    window.colours_on_screen(pictures / "window-end.png")
+    window.click(705, 480)  # Menu
+    window.wait_for("level menu")
+    window.colours_on_screen(pictures / "window-menu.png")
+    window.click(908, 36)  # Title
+    window.wait_for("title screen")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
@@ -117,10 +158,19 @@ def main():
                        if key not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
         os.execvpe("xvfb-run", ["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24",
                                 sys.executable, *sys.argv, "--in-display"], environment)
-    window = Window(options.program, [])
-    billiards(window, options.pictures)
-    window.click(220, 455)  # Quit
-    window.wait_for_end()
+    with tempfile.TemporaryDirectory() as folder:
+        data = pathlib.Path(folder)
+        window = Window(options.program, data, f"{WIDTH}x{HEIGHT}")
+        billiards(window, options.pictures)
+        window.click(220, 562)  # Quit
+        window.wait_for_end()
+
+        (data / "angry-balls" / "levels").mkdir(parents=True)
+        (data / "angry-balls" / "levels" / "broken.json").write_text("{")
+        window = Window(options.program, data, f"1000x{HEIGHT}", data / "not-there.json")
+        angry_balls(window, options.pictures, data)
+        window.click(220, 560)
+        window.wait_for_end()
     print("played")
 
 

@@ -1,0 +1,345 @@
+#include "app/angry_balls_screen.hpp"
+
+#include "app/aim_view.hpp"
+#include "app/label.hpp"
+#include "app/level_view.hpp"
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+
+namespace app {
+namespace {
+
+namespace angry_balls = games::angry_balls;
+using angry_balls::Phase;
+using std::chrono::milliseconds;
+
+constexpr nanoseconds epilogue_time = milliseconds{1200};
+constexpr double trace_spacing = 0.016;      ///< of the level's width, between the dots
+constexpr std::size_t longest_trace = 1000;  ///< dots
+
+/// The end window's buttons, the last of which Esc means.
+enum EndButton : std::size_t { go_on, again, menu };
+
+}  // namespace
+
+AngryBallsScreen::AngryBallsScreen(const Words& words, Campaign& campaign)
+    : words_(words),
+      campaign_(campaign),
+      game_(angry_balls::Game::create(campaign.levels[campaign.current].scene.value()).value()),
+      bar_(words) {
+  motion_.record(game_.world());
+  announce_level();
+}
+
+void AngryBallsScreen::announce_level() {
+  effects_.announce(
+      title(),
+      words_(Text::goal, {words_.number(game_.enemies_left()), words_.number(game_.throws_left())}),
+      {});
+}
+
+/// "Level 1: First steps".
+std::string AngryBallsScreen::title() const {
+  return words_(Text::level_and_name,
+                {words_.number(static_cast<int>(campaign_.current) + 1),
+                 words_.level_name(campaign_.levels[campaign_.current].name)});
+}
+
+void AngryBallsScreen::resize(const View& view) {
+  view_ = view;
+  layout_ = GameLayout::of(view);
+  bar_.resize(view, layout_.bar);
+  viewport_ = level_viewport(layout_.world, game_.level());
+  pointer_ = viewport_.to_window(game_.launch_place());
+  place_parts();
+}
+
+/// Puts what comes and goes where it belongs in the window.
+void AngryBallsScreen::place_parts() {
+  if (question_) question_->resize(view_);
+  if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view_);
+  if (auto* offered = std::get_if<NextOffered>(&state_)) {
+    const Rect& world = layout_.world;
+    const float height = view_.px(48);
+    const Point middle{world.center().x, world.y + view_.px(16) + height / 2};
+    offered->prompt.place(
+        0, centered(middle, std::min(view_.px(300), world.w - view_.px(32)), height));
+  }
+}
+
+Transition AngryBallsScreen::event(const Input& input) {
+  if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
+  const auto* press = std::get_if<PointerPressed>(&input);
+  if (press) pointer_ = press->at;
+
+  if (question_) {
+    const auto chosen = question_->event(input);
+    if (!chosen) return Transition::stay;
+    question_.reset();
+    return *chosen == 0 ? Transition::levels : Transition::stay;
+  }
+  if (auto* over = std::get_if<Over>(&state_)) {
+    if (over->wait > nanoseconds{0}) return Transition::stay;
+    const auto chosen = over->dialog.event(input);
+    return chosen ? finish(*chosen) : Transition::stay;
+  }
+  if (const auto command = bar_.event(input)) return obey(*command);
+  if (is_key(input, Key::r)) return obey(UserBar::Command::restart);
+
+  auto* launcher = std::get_if<Launcher>(&state_);
+  if (launcher) launcher->aim.move(viewport_.to_world(pointer_));
+  const bool takes_back =
+      (press && press->button == PointerButton::right) || is_key(input, Key::escape);
+  if (takes_back && launcher && launcher->aim.active()) {
+    launcher->aim.cancel();
+    return Transition::stay;
+  }
+  if (is_key(input, Key::escape)) return obey(UserBar::Command::close);
+
+  const bool click =
+      press && press->button == PointerButton::left && !bar_.has_button_at(press->at);
+  if (launcher && click) {
+    const auto drag = launcher->click(viewport_.to_world(press->at), on_projectile(press->at));
+    if (drag && game_.apply(angry_balls::Throw{*drag})) follow_phase();
+  } else if (auto* offered = std::get_if<NextOffered>(&state_)) {
+    offered->prompt.event(input);
+    const bool key =
+        is_key(input, Key::n) || is_key(input, Key::enter) || is_key(input, Key::space);
+    if ((click || key) && game_.apply(angry_balls::Next{})) follow_phase();
+  }
+  return Transition::stay;
+}
+
+bool AngryBallsScreen::on_projectile(Point at) const {
+  return on_lead(game_.world().ball(0), at, viewport_, view_);
+}
+
+Transition AngryBallsScreen::obey(UserBar::Command command) {
+  const bool under_way = game_.world().steps() > 0 && !std::holds_alternative<Over>(state_);
+  if (command == UserBar::Command::close) {
+    if (!under_way) return Transition::levels;
+    question_.emplace(words_(Text::ask_leave_level),
+                      std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
+                      std::vector{words_(Text::leave), words_(Text::keep_playing)});
+    place_parts();
+  } else if (game_.apply(angry_balls::Restart{})) {
+    effects_.clear();
+    trace_.clear();
+    turn_points_ = 0;
+    announce_level();
+    follow_phase();
+  }
+  return Transition::stay;
+}
+
+Transition AngryBallsScreen::finish(std::size_t button) {
+  const bool next_level = game_.phase() == Phase::won && campaign_.next().has_value();
+  // Without a next level the other buttons move up.
+  switch (button + (next_level ? 0 : 1)) {
+    case go_on:
+      campaign_.current = *campaign_.next();
+      return Transition::level;
+    case again:
+      return obey(UserBar::Command::restart);
+    default:
+      return Transition::levels;
+  }
+}
+
+void AngryBallsScreen::follow_phase() {
+  switch (game_.phase()) {
+    case Phase::aim:
+      state_ = Launcher{};
+      break;
+    case Phase::fly:
+      turn_points_ = 0;
+      trace_.clear();
+      state_ = WatchThrow{};
+      break;
+    case Phase::offer:
+      state_ = NextOffered{
+          Buttons({words_(game_.throws_left() > 0 ? Text::next_throw : Text::finish)}, 0)};
+      place_parts();
+      return;  // the level goes on moving
+    case Phase::won:
+    case Phase::lost:
+      state_ = Over{result(), game_.world(),
+                    game_.phase() == Phase::won ? epilogue_time : nanoseconds{0}};
+      place_parts();
+      return;
+  }
+  motion_.record(game_.world());
+  clock_.reset();
+}
+
+Dialog AngryBallsScreen::result() {
+  const bool won = game_.phase() == Phase::won;
+  std::vector<Dialog::Line> lines;
+  lines.push_back({words_(Text::score), words_.number(game_.score()), {}});
+  if (won) {
+    const std::string& identity = campaign_.levels[campaign_.current].identity;
+    const bool better = campaign_.best.record(identity, game_.score());
+    const int used = game_.level().throws - game_.throws_left();
+    lines.push_back(
+        {words_(Text::throws_used, {words_.number(used), words_.number(game_.level().throws)}),
+         {},
+         {}});
+    lines.push_back({better ? words_(Text::new_best)
+                            : words_(Text::best, {words_.number(*campaign_.best.of(identity))}),
+                     {},
+                     {}});
+    if (campaign_.best.trouble() == BestScores::Trouble::not_kept)
+      lines.push_back({words_(Text::scores_not_kept), {}, {}});
+  } else {
+    lines.push_back({words_(Text::enemies_remain, {words_.number(game_.enemies_left())}), {}, {}});
+  }
+  std::vector<std::string> buttons{words_(Text::play_again), words_(Text::menu)};
+  if (won && campaign_.next()) buttons.insert(buttons.begin(), words_(Text::next_level));
+  return {words_(won ? Text::won : Text::lost), std::move(lines), std::move(buttons)};
+}
+
+bool AngryBallsScreen::moving() const {
+  if (question_) return false;
+  if (const auto* over = std::get_if<Over>(&state_)) return over->wait > nanoseconds{0};
+  return game_.phase() == Phase::fly || game_.phase() == Phase::offer;
+}
+
+bool AngryBallsScreen::animating() const { return !question_ && (moving() || effects_.active()); }
+
+const carom::World& AngryBallsScreen::shown_world() const {
+  const auto* over = std::get_if<Over>(&state_);
+  return over ? over->epilogue : game_.world();
+}
+
+void AngryBallsScreen::iterate(nanoseconds elapsed) {
+  if (question_) return;  // the level waits for the answer
+  effects_.advance(elapsed);
+  if (!moving()) return;
+  for (int due = clock_.advance(elapsed); due > 0 && moving(); --due) step();
+}
+
+void AngryBallsScreen::step() {
+  motion_.record(shown_world());
+  if (auto* over = std::get_if<Over>(&state_)) {
+    burst_broken_balls(over->epilogue.step());
+    over->wait -= Clock::step;
+    return;
+  }
+  const Phase before = game_.phase();
+  game_.step();
+  trace_projectile();
+  burst_broken_balls(game_.physics_events());
+  for (const angry_balls::Event& event : game_.events()) {
+    if (event.kind != angry_balls::EventKind::scored) continue;
+    turn_points_ += event.points;
+    effects_.float_up(event.position, words_(Text::points, {words_.number(event.points)}),
+                      palette::accents[0]);
+  }
+  if (game_.phase() != before) follow_phase();
+}
+
+void AngryBallsScreen::burst_broken_balls(std::span<const carom::Event> events) {
+  for (const carom::Event& event : events) {
+    const carom::Ball& ball = game_.level().balls[event.ball];
+    const BallLook& look = look_of(ball, ball.solidity, game_.level());
+    if (event.kind == carom::EventKind::destroyed)
+      effects_.burst(event.position, ball.radius, look, event.ball);
+    else if (event.kind == carom::EventKind::pocketed)
+      effects_.sink(event.position, game_.level().holes[event.other].position, ball.radius, look);
+  }
+}
+
+void AngryBallsScreen::trace_projectile() {
+  const carom::World& world = game_.world();
+  if (!world.in_play(0) || trace_.size() >= longest_trace) return;
+  const carom::Vec2 at = world.ball(0).position;
+  const carom::Vec2 last = trace_.empty() ? game_.launch_place() : trace_.back();
+  if (carom::length(at - last) >= trace_spacing * game_.level().width) trace_.push_back(at);
+}
+
+void AngryBallsScreen::draw(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  draw_level(list, layout_.world, viewport_, game_.level());
+  draw_trace(list);
+  effects_.draw_under_balls(list, viewport_);
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  draw_level_balls(list, layout_.world, viewport_, shown_world(), game_.level(), motion_,
+                   moving() ? clock_.fraction() : 1);
+  if (launcher) {
+    if (launcher->aim.active())
+      draw_aim(list, viewport_, game_.world(), launcher->aim);
+    else
+      draw_invitation(list, viewport_, game_.world().ball(0), on_projectile(pointer_),
+                      palette::accents[0]);
+  }
+  Rect free = layout_.world.inset(canvas.px(4));
+  const auto* offered = std::get_if<NextOffered>(&state_);
+  if (offered) free.cut_top(canvas.px(64));
+  effects_.draw_over_balls(canvas, viewport_, free);
+  if (offered) offered->prompt.draw(canvas, 20);
+
+  LevelBar::Content content;
+  content.number = static_cast<int>(campaign_.current) + 1;
+  content.name = words_.level_name(campaign_.levels[campaign_.current].name);
+  content.score = game_.score();
+  content.turn_points = turn_points_;
+  content.throws_left = game_.throws_left();
+  content.enemies_left = game_.enemies_left();
+  bar_.draw(canvas, content);
+  fill_rounded(list, layout_.footer, 0,
+               Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
+  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
+              hint_color());
+  const auto* over = std::get_if<Over>(&state_);
+  if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
+  if (question_) question_->draw(canvas);
+}
+
+void AngryBallsScreen::draw_trace(DrawList& list) const {
+  const float radius = std::max(viewport_.px(2.6), 1.5f);
+  for (const carom::Vec2 at : trace_) {
+    const Point c = viewport_.to_window(at);
+    fill_disc(list, c, radius + 1, faded(palette::ink, 0.35f));
+    fill_disc(list, c, radius, faded(palette::cream, 0.8f));
+  }
+}
+
+std::string AngryBallsScreen::hint() const {
+  if (const auto* launcher = std::get_if<Launcher>(&state_)) {
+    if (launcher->aim.active())
+      return words_(launcher->refused && launcher->aim.too_weak() ? Text::hint_too_weak
+                                                                  : Text::hint_throw);
+    return words_(launcher->missed ? Text::hint_not_projectile : Text::hint_take_projectile);
+  }
+  if (std::holds_alternative<NextOffered>(state_))
+    return words_(game_.throws_left() > 0 ? Text::hint_next : Text::hint_finish);
+  return std::holds_alternative<WatchThrow>(state_) ? words_(Text::hint_flying) : std::string();
+}
+
+Color AngryBallsScreen::hint_color() const {
+  if (const auto* launcher = std::get_if<Launcher>(&state_))
+    return launcher->missed ? palette::refused : palette::cream;
+  return std::holds_alternative<NextOffered>(state_) ? palette::allowed : palette::muted;
+}
+
+std::string AngryBallsScreen::describe() const {
+  const std::string now = question_ ? question_->title() : [&] {
+    switch (game_.phase()) {
+      case Phase::aim:
+        return words_(Text::ready_to_throw);
+      case Phase::fly:
+        return words_(Text::watching_throw);
+      case Phase::offer:
+        return words_(game_.throws_left() > 0 ? Text::next_offered : Text::finish_offered);
+      case Phase::won:
+      case Phase::lost:
+        break;
+    }
+    return std::get<Over>(state_).dialog.title();
+  }();
+  return words_(Text::level_state,
+                {words_(Text::product), title(), now, words_.number(game_.score()),
+                 words_.number(game_.throws_left()), words_.number(game_.enemies_left())});
+}
+
+}  // namespace app

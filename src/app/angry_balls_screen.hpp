@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "app/campaign.hpp"
+#include "app/dialog.hpp"
+#include "app/effects.hpp"
+#include "app/launcher.hpp"
+#include "app/level_bar.hpp"
+#include "app/motion.hpp"
+#include "app/screen.hpp"
+#include "app/text.hpp"
+#include "app/viewport.hpp"
+#include "games/angry_balls.hpp"
+
+namespace app {
+
+/// The campaign's current level, from the first throw to the end.
+class AngryBallsScreen final : public Screen {
+ public:
+  /// The level must be one that can be played.
+  AngryBallsScreen(const Words& words, Campaign& campaign);
+
+  void resize(const View& view) override;
+  Transition event(const Input& input) override;
+  void iterate(nanoseconds elapsed) override;
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  bool animating() const override;
+
+  const games::angry_balls::Game& game() const { return game_; }
+  const Viewport& viewport() const { return viewport_; }
+
+ private:
+  // What the player is doing; it follows the game's phase.
+  struct WatchThrow {};
+  struct NextOffered {
+    Buttons prompt;
+  };
+  /// The world plays on for a moment, for show, before the window opens.
+  struct Over {
+    Dialog dialog;
+    carom::World epilogue;
+    nanoseconds wait{};
+  };
+  using State = std::variant<Launcher, WatchThrow, NextOffered, Over>;
+
+  void follow_phase();
+  void place_parts();
+  void step();
+  void burst_broken_balls(std::span<const carom::Event> events);
+  void trace_projectile();
+  void announce_level();
+  Dialog result();
+
+  Transition obey(UserBar::Command command);
+  Transition finish(std::size_t button);
+  bool on_projectile(Point at) const;
+  const carom::World& shown_world() const;
+  bool moving() const;
+
+  void draw_trace(DrawList& list) const;
+  std::string hint() const;
+  Color hint_color() const;
+  std::string title() const;
+
+  Words words_;
+  Campaign& campaign_;
+  games::angry_balls::Game game_;
+  State state_ = Launcher{};
+  std::optional<Dialog> question_;  ///< whether to leave
+  int turn_points_ = 0;
+
+  Clock clock_;
+  Motion motion_;
+  Effects effects_;
+  std::vector<carom::Vec2> trace_;  ///< px, where the last throw went
+
+  LevelBar bar_;
+  View view_;
+  GameLayout layout_;
+  Viewport viewport_;
+  Point pointer_;
+};
+
+}  // namespace app

@@ -1,0 +1,109 @@
+#include "app/landscape.hpp"
+
+#include <vector>
+
+#include "app/noise.hpp"
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+
+namespace app {
+namespace {
+
+void draw_sky(DrawList& list, Rect area, float horizon, float unit) {
+  const float low = std::clamp(horizon - area.y, 0.0f, area.h);
+  Rect sky = area.cut_top(low);
+  const Rect glowing = sky.cut_bottom(std::min(low, unit * 0.62f));
+  const Rect middle = sky.cut_bottom(std::min(sky.h, unit * 0.75f));
+  // Each reaches under the next: no seams.
+  const auto band = [&](const Rect& box, Color top, Color bottom) {
+    fill_rounded(list, box.inset(-2), 0, Paint::vertical(box, top, bottom));
+  };
+  if (sky.h > 0) band(sky, palette::sky_top, palette::sky_top);
+  if (middle.h > 0) band(middle, palette::sky_top, palette::sky_middle);
+  if (glowing.h > 0) band(glowing, palette::sky_middle, palette::sky_low);
+  const Point sun{area.x + area.w * 0.73f, horizon - unit * 0.33f};
+  glow(list, sun, unit * 0.85f, unit * 0.6f, faded(palette::sun, 0.4f));
+  fill_disc(list, sun, unit * 0.075f, faded(palette::sun, 0.95f));
+}
+
+/// Long thin clouds, lit from below.
+void draw_clouds(DrawList& list, const Rect& area, float horizon, float unit) {
+  for (std::uint32_t i = 0; i < 7; ++i) {
+    const Point c{area.x + area.w * (static_cast<float>(i) + noise(1, i)) / 7,
+                  horizon - unit * (0.5f + 0.75f * noise(2, i))};
+    const float across = unit * (0.14f + 0.2f * noise(3, i));
+    if (c.y < area.y) continue;
+    for (std::uint32_t puff = 0; puff < 3; ++puff) {
+      const float off = static_cast<float>(puff) - 1;
+      glow(list, c + Point{across * 0.5f * off, unit * 0.012f * off * off},
+           across * (1 - 0.3f * off * off), unit * 0.03f, faded(palette::sun, 0.28f));
+    }
+  }
+}
+
+void draw_hills(DrawList& list, const Rect& area, float horizon, float unit) {
+  constexpr int points = 96;
+  for (std::uint32_t range = 0; range < 3; ++range) {
+    const auto depth = static_cast<float>(range);
+    std::vector<Point> ridge;
+    for (int i = 0; i <= points; ++i) {
+      const float x = area.x + area.w * static_cast<float>(i) / points;
+      // Waves of lengths that never meet again.
+      const float at = (x - area.center().x) / unit * (1.5f + 0.8f * depth) + 11 * depth;
+      const float wave = 0.5f + 0.26f * std::sin(at * 1.7f) + 0.16f * std::sin(at * 4.1f + 1) +
+                         0.05f * std::sin(at * 11.3f + 2);
+      ridge.push_back({x, horizon - unit * (0.30f - 0.09f * depth) * wave - unit * 0.02f});
+    }
+    const Color color = palette::hills[range];
+    const Rect body{area.x, horizon - unit * 0.3f, area.w, unit * 0.3f};
+    fill_under(list, ridge, horizon,
+               Paint::vertical(body, color, mix(color, palette::sky_low, 0.3f)));
+  }
+}
+
+void draw_ground(DrawList& list, const Rect& area, float horizon, float unit) {
+  const float depth = std::max(area.bottom() - horizon, 0.0f);
+  const Rect soil{area.x, horizon, area.w, depth};
+  fill_rounded(list, soil, 0, Paint::vertical(soil, palette::soil, palette::soil_dark));
+  const auto pebbles = static_cast<std::uint32_t>(std::clamp(area.w / unit * 40, 0.0f, 400.0f));
+  for (std::uint32_t i = 0; i < pebbles; ++i) {
+    const float down = unit * 0.03f + (depth - unit * 0.04f) * noise(5, i);
+    if (down > depth - unit * 0.008f) continue;
+    const Point c{area.x + area.w * noise(4, i), horizon + down};
+    const float r = unit * (0.003f + 0.006f * noise(6, i));
+    fill(list, ellipse(c, r * 1.6f, r),
+         faded(i % 2 == 0 ? palette::sky_low : palette::soil_dark, 0.22f));
+  }
+  const Rect turf{area.x, horizon, area.w, std::min(unit * 0.022f, depth)};
+  fill_rounded(list, turf, 0, Paint::vertical(turf, palette::grass, palette::grass_dark));
+  const float pitch = unit * 0.02f;
+  const int blades = static_cast<int>(std::min(area.w / pitch, 800.0f));
+  for (int i = 0; i < blades; ++i) {  // the turf's ragged lower edge
+    const float x = area.x + pitch * static_cast<float>(i);
+    const float drop = unit * (0.006f + 0.014f * noise(7, static_cast<std::uint32_t>(i)));
+    const Point tip{x + pitch / 2, turf.bottom() + drop};
+    if (tip.y > area.bottom()) break;
+    const Point left{x, turf.bottom() - 1};
+    const Point right{x + pitch, turf.bottom() - 1};
+    fill(list, std::vector{left, right, tip}, palette::grass_dark);
+  }
+  line(list, {area.x, horizon}, {area.right(), horizon}, std::max(unit * 0.004f, 1.0f),
+       mix(palette::grass, palette::sun, 0.35f));
+}
+
+}  // namespace
+
+void draw_landscape(DrawList& list, const Rect& area, float horizon, float unit) {
+  if (area.w < 1 || area.h < 1 || unit < 1) {  // nothing to be seen of it
+    fill_rounded(list, area, 0, palette::sky_middle);
+    return;
+  }
+  const std::size_t first = list.vertices.size();
+  draw_sky(list, area, horizon, unit);
+  draw_clouds(list, area, horizon, unit);
+  draw_hills(list, area, horizon, unit);
+  draw_ground(list, area, horizon, unit);
+  clip(list, first, area);
+}
+
+}  // namespace app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/store.hpp"
+
+namespace platform {
+
+/// Where the player's own things lie: $XDG_DATA_HOME/angry-balls, or ~/.local/share/angry-balls.
+/// None for a player without a home.
+std::optional<std::filesystem::path> data_folder();
+
+/// Keeps texts as files of a folder, made when first needed. A file is replaced as a whole or not
+/// at all.
+class FolderStore final : public app::Store {
+ public:
+  explicit FolderStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  carom::Result<std::optional<std::string>> load(const std::string& name) override;
+  carom::Status save(const std::string& name, const std::string& text) override;
+  /// A NAME.broken that is there already stays: then it is NAME.broken-2, and so on.
+  carom::Status set_aside(const std::string& name) override;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace platform

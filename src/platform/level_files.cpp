@@ -1,0 +1,52 @@
+#include "platform/level_files.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+
+#include "files/files.hpp"
+
+namespace platform {
+namespace {
+
+namespace fs = std::filesystem;
+
+app::Level unreadable(const fs::path& path, const std::error_code& error) {
+  return app::read_level(
+      path.filename().string(),
+      carom::Error{.pointer = {}, .problem = "cannot be opened: " + error.message()});
+}
+
+}  // namespace
+
+std::vector<app::Level> read_levels(const fs::path& file_or_folder) {
+  std::error_code error;
+  if (!fs::is_directory(file_or_folder, error)) {
+    if (fs::exists(file_or_folder, error) && !fs::is_regular_file(file_or_folder, error))
+      return {unreadable(file_or_folder, std::make_error_code(std::errc::invalid_argument))};
+    return {app::read_level(file_or_folder.filename().string(), files::read(file_or_folder))};
+  }
+  std::vector<fs::path> found;
+  fs::directory_iterator entry(file_or_folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->path().extension() == ".json" && entry->is_regular_file(ignored))
+      found.push_back(entry->path());
+  }
+  std::ranges::sort(found);
+  std::vector<app::Level> levels;
+  levels.reserve(found.size());
+  for (const fs::path& file : found)
+    levels.push_back(app::read_level(file.filename().string(), files::read(file)));
+  if (error) levels.push_back(unreadable(file_or_folder, error));
+  return levels;
+}
+
+std::vector<app::Level> read_levels(const std::vector<fs::path>& files_and_folders) {
+  std::vector<app::Level> levels;
+  for (const fs::path& path : files_and_folders)
+    std::ranges::move(read_levels(path), std::back_inserter(levels));
+  return levels;
+}
+
+}  // namespace platform

@@ -1,0 +1,107 @@
+#include "app/player.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string sound = R"({"carom": 1, "width": 1000, "height": 500, "balls": [
+  {"x": 100, "y": 12, "role": "projectile"},
+  {"x": 300, "y": 12, "role": "enemy", "solidity": 10}]})";
+
+std::vector<app::Level> own_levels(int count) {
+  std::vector<app::Level> levels;
+  for (int i = 0; i < count; ++i)
+    levels.push_back(app::read_level("own-" + std::to_string(i) + ".json", sound));
+  return levels;
+}
+
+TEST(LevelMenu, ShowsNumbersNamesAndWhatIsNotWonYet) {
+  Player game(app::Language::english, 1280, 720);
+  game.press("Angry Balls");
+  EXPECT_EQ(game.title(), "Angry Balls · level menu · levels: 10");
+  EXPECT_TRUE(game.shows("First steps"));
+  EXPECT_TRUE(game.shows("10"));
+  EXPECT_TRUE(game.shows("Not won yet"));
+  EXPECT_FALSE(game.app().animating());
+}
+
+TEST(LevelMenu, AClickStartsTheLevelAndEscapeComesBack) {
+  Player game(app::Language::english, 1280, 720);
+  game.press("Angry Balls");
+  game.press("Two towers");
+  EXPECT_TRUE(game.says("Level 2: Two towers")) << game.title();
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.says("level menu"));
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.says("title screen"));
+}
+
+TEST(LevelMenu, ABrokenLevelTellsItsFirstErrorAndDoesNotStart) {
+  Player game(app::Language::english, 1920, 1080,
+              {app::read_level(
+                  "bad.json",
+                  std::string("{\"carom\": 1, \"height\": 5, \"balls\": [],\n \"width\": -3}"))});
+  game.press("Angry Balls");
+  EXPECT_TRUE(game.shows("bad.json:2:11:"));
+  game.press("bad.json");
+  EXPECT_TRUE(game.says("level menu"));
+  EXPECT_TRUE(game.shows("Cannot be played: bad.json:2:11: /width"));
+}
+
+TEST(LevelMenu, ManyLevelsArePaged) {
+  Player game(app::Language::english, 800, 600, own_levels(50));
+  game.press("Angry Balls");
+  EXPECT_TRUE(game.shows("Page 1 of "));
+  EXPECT_FALSE(game.shows("own-49"));
+  game.press("Previous");  // round to the last
+  EXPECT_TRUE(game.shows("own-49"));
+  game.press("own-49");
+  EXPECT_TRUE(game.says("Level 60: own-49")) << game.title();
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.shows("own-49")) << "the page of the level that was played";
+  game.press("Next");
+  EXPECT_TRUE(game.shows("First steps"));
+}
+
+TEST(LevelMenu, IsPlayedByKeysToo) {
+  Player game(app::Language::english, 1280, 720);
+  game.key(app::Key::tab);
+  game.key(app::Key::tab);
+  game.key(app::Key::enter);
+  game.key(app::Key::tab);
+  game.key(app::Key::right);
+  game.key(app::Key::enter);
+  EXPECT_TRUE(game.says("Level 2")) << game.title();
+}
+
+TEST(LevelMenu, BestScoresOutliveTheApp) {
+  app::MemoryStore store;
+  const auto play = [&](auto&& use) {
+    app::App game(app::Language::english, 1280, 720, store, own_levels(1));
+    use(game);
+  };
+  const std::string identity = own_levels(1)[0].identity;
+  app::BestScores(store).record(identity, 12300);
+  play([](app::App& game) {
+    for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::enter})
+      game.event(app::KeyPressed{key});
+    bool shown = false;
+    for (const app::Box& box : game.draw().boxes) shown |= box.text == "Best: 12,300";
+    EXPECT_TRUE(shown);
+  });
+}
+
+TEST(LevelMenu, TellsOfScoresThatWereSetAside) {
+  Player game(app::Language::english, 1280, 720);
+  app::MemoryStore store;
+  ASSERT_TRUE(store.save("scores.json", "?"));
+  app::App app(app::Language::english, 1280, 720, store);
+  for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::enter})
+    app.event(app::KeyPressed{key});
+  bool shown = false;
+  for (const app::Box& box : app.draw().boxes)
+    shown |= box.text.find("scores.json.broken") != std::string::npos;
+  EXPECT_TRUE(shown);
+}
+
+}  // namespace

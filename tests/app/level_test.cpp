@@ -1,0 +1,68 @@
+#include "app/level.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace {
+
+const std::string sound = R"({"carom": 1, "name": "Mine", "width": 100, "height": 50, "balls": [
+  {"x": 10, "y": 10, "role": "projectile"}, {"x": 60, "y": 10, "role": "enemy"}]})";
+
+TEST(Level, ASoundOneHasItsNameAndAnIdentity) {
+  const app::Level level = app::read_level("mine.json", sound);
+  ASSERT_TRUE(level.scene);
+  EXPECT_EQ(level.name, "Mine");
+  EXPECT_EQ(level.problem, "");
+  EXPECT_EQ(level.identity.size(), 16u);
+}
+
+TEST(Level, IsCalledLikeItsFileIfItHasNoName) {
+  std::string text = sound;
+  text.replace(text.find("\"name\": \"Mine\", "), 16, "");
+  EXPECT_EQ(app::read_level("mine.json", text).name, "mine");
+}
+
+TEST(Level, TheIdentityIsThatOfTheContents) {
+  const std::string identity = app::read_level("a.json", sound).identity;
+  EXPECT_EQ(app::read_level("b.json", sound + "\n").identity, identity);
+  std::string moved = sound;
+  moved.replace(moved.find("60"), 2, "61");
+  EXPECT_NE(app::read_level("a.json", moved).identity, identity);
+}
+
+TEST(Level, ABrokenOneTellsItsFirstErrorWithItsPlace) {
+  const app::Level level = app::read_level("mine.json", std::string("{\n  \"carom\": 1,\n x"));
+  EXPECT_FALSE(level.scene);
+  EXPECT_EQ(level.name, "mine");
+  EXPECT_EQ(level.identity, "");
+  EXPECT_TRUE(level.problem.starts_with("mine.json:3:2: ")) << level.problem;
+}
+
+TEST(Level, ASceneThatIsNoLevelTellsWhy) {
+  const app::Level level = app::read_level(
+      "table.json", std::string("{\"carom\": 1, \"width\": 100, \"height\": 50,\n \"balls\": []}"));
+  EXPECT_FALSE(level.scene);
+  EXPECT_TRUE(level.problem.starts_with("table.json:2:")) << level.problem;
+  EXPECT_NE(level.problem.find("projectile"), std::string::npos) << level.problem;
+}
+
+TEST(Level, AFileThatCannotBeOpenedTellsWhy) {
+  const app::Level level =
+      app::read_level("none.json", carom::Error{.problem = "cannot be opened: No such file"});
+  EXPECT_FALSE(level.scene);
+  EXPECT_EQ(level.problem, "none.json: cannot be opened: No such file");
+}
+
+TEST(ShippedLevels, AreAllSoundAndDifferent) {
+  const auto levels = app::shipped_levels();
+  EXPECT_GE(levels.size(), 2u);
+  std::set<std::string> identities;
+  for (const app::Level& level : levels) {
+    EXPECT_TRUE(level.scene) << level.problem;
+    identities.insert(level.identity);
+  }
+  EXPECT_EQ(identities.size(), levels.size());
+  EXPECT_EQ(levels.front().name, "First steps");
+}
+
+}  // namespace

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "platform/null_platform.hpp"
+
+/// Plays the whole game by what is on screen.
+struct Player : platform::NullPlatform {
+  using NullPlatform::NullPlatform;
+
+  std::string title() { return app().describe(); }
+  std::vector<app::Box> boxes() { return app().draw().boxes; }
+  bool shows(std::string_view text) {
+    for (const app::Box& box : boxes())
+      if (box.text.find(text) != std::string::npos) return true;
+    return false;
+  }
+  bool says(std::string_view text) { return title().find(text) != std::string::npos; }
+  /// Clicks the button whose label has `text` in it; of several, the one on top.
+  void press(std::string_view text) {
+    app::Rect area;
+    bool found = false;
+    for (const app::Box& box : boxes()) {
+      if (box.kind != app::Box::Kind::button || box.text.find(text) == std::string::npos) continue;
+      area = box.area;
+      found = true;
+    }
+    ASSERT_TRUE(found) << "no button " << text << " in " << title();
+    click(area.center());
+  }
+  void key(app::Key key) { app().event(app::KeyPressed{key}); }
+  /// Lets time pass until the title says so.
+  void wait_for(std::string_view text) {
+    for (int i = 0; i < 4000 && !says(text); ++i) pass(std::chrono::milliseconds{10});
+    EXPECT_TRUE(says(text)) << "waited for " << text << ", got " << title();
+  }
+};

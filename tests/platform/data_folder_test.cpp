@@ -1,0 +1,95 @@
+#include "platform/data_folder.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <unistd.h>
+
+#include "app/best_scores.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class DataFolder : public testing::Test {
+ protected:
+  DataFolder() { fs::remove_all(folder); }
+  ~DataFolder() override { fs::remove_all(folder); }
+
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories(folder);
+    std::ofstream(folder / name) << text;
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(folder / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder =
+      fs::path(testing::TempDir()) / ("data-" + std::to_string(::getpid())) / "angry-balls";
+  platform::FolderStore store{folder};
+};
+
+TEST_F(DataFolder, NothingIsThereAtFirst) {
+  const auto loaded = store.load("a.json");
+  ASSERT_TRUE(loaded);
+  EXPECT_FALSE(loaded.value());
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(DataFolder, WhatIsSavedIsLoaded) {
+  ASSERT_TRUE(store.save("a.json", "one"));
+  ASSERT_TRUE(store.save("a.json", "two"));
+  EXPECT_EQ(store.load("a.json").value(), "two");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "nothing else is left behind";
+}
+
+TEST_F(DataFolder, SetsAsideWithoutOverwriting) {
+  write("a.json", "first");
+  ASSERT_TRUE(store.set_aside("a.json"));
+  write("a.json", "second");
+  ASSERT_TRUE(store.set_aside("a.json"));
+  EXPECT_EQ(read("a.json.broken"), "first");
+  EXPECT_EQ(read("a.json.broken-2"), "second");
+  EXPECT_FALSE(store.load("a.json").value());
+}
+
+TEST_F(DataFolder, AFolderInTheWayIsAnError) {
+  fs::create_directories(folder / "a.json");
+  EXPECT_FALSE(store.load("a.json"));
+  EXPECT_FALSE(store.save("a.json", "x"));
+}
+
+TEST_F(DataFolder, AFileInTheFoldersPlaceIsAnError) {
+  fs::create_directories(folder.parent_path());
+  std::ofstream(folder) << "no folder";
+  EXPECT_FALSE(store.save("a.json", "x"));
+  fs::remove(folder);
+}
+
+TEST_F(DataFolder, KeepsBestScores) {
+  write("scores.json", "not ours");
+  app::BestScores scores(store);
+  EXPECT_TRUE(scores.record("0123456789abcdef", 1200));
+  EXPECT_EQ(read("scores.json.broken"), "not ours");
+  EXPECT_EQ(app::BestScores(store).of("0123456789abcdef"), 1200);
+}
+
+TEST(DataFolderPlace, FollowsTheEnvironment) {
+  const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+  const std::string data = std::getenv("XDG_DATA_HOME") ? std::getenv("XDG_DATA_HOME") : "";
+  ::setenv("HOME", "/home/someone", 1);
+  ::setenv("XDG_DATA_HOME", "/data", 1);
+  EXPECT_EQ(platform::data_folder(), fs::path("/data/angry-balls"));
+  for (const char* ignored : {"", "relative"}) {
+    ::setenv("XDG_DATA_HOME", ignored, 1);
+    EXPECT_EQ(platform::data_folder(), fs::path("/home/someone/.local/share/angry-balls"));
+  }
+  ::unsetenv("HOME");
+  EXPECT_FALSE(platform::data_folder());
+  ::setenv("HOME", home.c_str(), 1);
+  ::setenv("XDG_DATA_HOME", data.c_str(), 1);
+}
+
+}  // namespace
