@@ -21,7 +21,7 @@ void draw_sky(DrawList& list, Rect area, float horizon, float unit) {
   if (sky.h > 0) band(sky, palette::sky_top, palette::sky_top);
   if (middle.h > 0) band(middle, palette::sky_top, palette::sky_middle);
   if (glowing.h > 0) band(glowing, palette::sky_middle, palette::sky_low);
-  const Point sun{area.x + area.w * 0.73f, horizon - unit * 0.33f};
+  const Point sun{area.x + area.w * 0.32f, horizon - unit * 0.33f};
   glow(list, sun, unit * 0.85f, unit * 0.6f, faded(palette::sun, 0.4f));
   fill_disc(list, sun, unit * 0.075f, faded(palette::sun, 0.95f));
 }

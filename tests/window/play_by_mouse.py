@@ -28,12 +28,12 @@ class Window:
     def title(self):
         if self.game.poll() is not None:
             sys.exit(f"the game has ended with {self.game.returncode}")
-        if self.id is None:
+        # The window may be made anew at the start, when SDL turns to its renderer.
+        name = self.xdotool("getwindowname", self.id).stdout.strip() if self.id else ""
+        if not name:
             found = self.xdotool("search", "--pid", self.game.pid, "--name", "Angry Balls")
-            if not found.stdout.split():
-                return ""
-            self.id = found.stdout.split()[-1]
-        return self.xdotool("getwindowname", self.id).stdout.strip()
+            self.id = found.stdout.split()[-1] if found.stdout.split() else None
+        return name
 
     def wait_for(self, *texts, seconds=60):
         end = time.monotonic() + seconds
