@@ -14,7 +14,7 @@ constexpr int most_icons = 5;  ///< more throws than that are only a number
 }  // namespace
 
 LevelBar::LevelBar(const Words& words)
-    : UserBar(words(Text::restart), words(Text::menu)), words_(words) {}
+    : UserBar(words(Text::retry), words(Text::menu)), words_(words) {}
 
 void LevelBar::resize(const View& view, const Rect& area) {
   auto [row, rest] = place(view, area);

@@ -24,6 +24,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::this_turn, {"This turn", "Ce tour"}},
     {Text::restart, {"Restart", "Recommencer"}},
     {Text::close, {"Close", "Fermer"}},
+    {Text::retry, {"Try again", "Réessayer"}},
     {Text::hint_take_cue_ball,
      {"Click the white cue ball to aim.", "Cliquez sur la boule blanche pour viser."}},
     {Text::hint_not_cue_ball,

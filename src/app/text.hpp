@@ -27,6 +27,7 @@ enum class Text : std::uint8_t {
   this_turn,
   restart,
   close,
+  retry,
   hint_take_cue_ball,
   hint_not_cue_ball,
   hint_shoot,

@@ -236,7 +236,7 @@ TEST_F(AngryBallsScreenTest, RestartStartsTheLevelAgain) {
   EXPECT_EQ(screen->game().throws_left(), 3);
   EXPECT_EQ(screen->game().world().steps(), 0u);
   throw_by(20, 10);
-  press("Restart");
+  press("Try again");
   EXPECT_EQ(screen->game().throws_left(), 3);
 }
 
