@@ -407,6 +407,13 @@ TEST(Solidity, AWeakShockCostsNothing) {
   EXPECT_EQ(world.ball(0).solidity, 5000);
 }
 
+TEST(Solidity, AShockAtTheThresholdCounts) {
+  carom::Scene scene = table({fragile(ball({100, 200}, {500, 0}), 5000), ball({121, 200})});
+  scene.damage_threshold = 4 * 497.5;  // what this shock costs, exactly
+  World world = make(scene);
+  EXPECT_EQ(count(run(world, 1), EventKind::damage), 1);
+}
+
 TEST(Solidity, ABrokenBallDeviatesTheOtherTheLess) {
   World world = make(table({ball({100, 200}, {500, 0}), fragile(ball({121, 200}), 600)}));
   const auto events = run(world, 1);
@@ -435,6 +442,8 @@ TEST(OpenSide, RemovesABallThatIsWhollyOutsideAndNoOther) {
   while (events.empty() && ++steps < 100) events = run(world, 1);
   ASSERT_EQ(count(events, EventKind::left), 1);
   EXPECT_EQ(events[0].ball, 0U);
+  EXPECT_GT(events[0].position.x, 800 + 10) << "the whole ball is out";
+  EXPECT_LT(events[0].position.x, 800 + 10 + 5) << "and has only just left";
   ASSERT_EQ(world.size(), 1U);
   EXPECT_EQ(world.ball(0).id, 1U) << "an open top removes nothing";
 }

@@ -1,5 +1,6 @@
 #include "games/angry_balls.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -169,6 +170,30 @@ TEST(AngryBalls, TheIthBallOfATurnMakes100TimesI) {
     EXPECT_EQ(game.score(), points) << "counted up as it happens";
   }
   EXPECT_GE(balls, 2) << "one ball does not tell 100·i from 100";
+}
+
+TEST(AngryBalls, EveryThrowCountsFrom100Anew) {
+  carom::Scene scene = level();
+  scene.balls[1].position.x = 700;  // out of this
+  for (const double x : {300.0, 400.0})
+    scene.balls.push_back(ball(carom::Role::neutral, {x, 10}, 50));
+  Game game = start(scene);
+  std::vector<int> points;
+  for (const Throw shot : {at_enemy, Throw{{200, -80}}, Throw{{100, -40}}, Throw{{100, -60}}}) {
+    if (game.phase() == Phase::offer) {
+      ASSERT_TRUE(game.apply(Next{}));
+    }
+    if (game.phase() != Phase::aim) break;
+    ASSERT_TRUE(game.apply(shot));
+    EXPECT_EQ(game.turn_balls(), 0);
+    int in_turn = 0;
+    for (const Event& event : fly(game)) {
+      if (event.kind != EventKind::scored) continue;
+      EXPECT_EQ(event.points, 100 * ++in_turn);
+      points.push_back(event.points);
+    }
+  }
+  EXPECT_GE(std::ranges::count(points, 100), 2) << "only one throw scored";
 }
 
 TEST(AngryBalls, ALevelMayAllowMoreThrowsOrFewer) {
