@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/embedded.hpp"
+#include "carom/fnv1a.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/trace.hpp"
 #include "games/angry_balls.hpp"
@@ -10,20 +11,9 @@
 namespace app {
 namespace {
 
-std::uint64_t fnv_1a(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char byte : bytes)
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x00000100000001b3;
-  return hash;
-}
-
 carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes) {
   if (!bytes) return bytes.errors();
-  auto scene = carom::read_scene(bytes.value());
-  if (!scene) return scene;
-  carom::Errors errors = games::angry_balls::check_level(scene.value());
-  if (!errors.empty()) return carom::locate(bytes.value(), std::move(errors));
-  return scene;
+  return games::angry_balls::read_level(bytes.value());
 }
 
 }  // namespace
@@ -36,7 +26,9 @@ Level read_level(const std::string& file, const carom::Result<std::string>& byte
   }
   const carom::Scene& scene = level.scene.value();
   if (!scene.name.empty()) level.name = scene.name;
-  level.identity = carom::hash_text(fnv_1a(carom::write_scene(scene)));
+  carom::Fnv1a hash;
+  hash.add(carom::write_scene(scene));
+  level.identity = carom::hash_text(hash.hash());
   return level;
 }
 

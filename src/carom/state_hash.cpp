@@ -1,34 +1,16 @@
-#include <bit>
 #include <cstdint>
 
+#include "carom/fnv1a.hpp"
 #include "carom/world.hpp"
 
 namespace carom {
 
 namespace {
 
-/// FNV-1a, 64 bits, fed with little-endian numbers.
-class Fnv1a {
- public:
-  template <class Unsigned>
-  void add(Unsigned number) {
-    for (std::size_t byte = 0; byte < sizeof(Unsigned); ++byte) {
-      hash_ ^= static_cast<std::uint64_t>(number >> (8 * byte)) & 0xff;
-      hash_ *= 0x100000001b3;
-    }
-  }
-  // Adding 0.0 turns -0.0, whose sign says nothing, into 0.0 and changes no other number.
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number + 0.0)); }
-  void add(Vec2 vector) {
-    add(vector.x);
-    add(vector.y);
-  }
-
-  std::uint64_t hash() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325;
-};
+void add(Fnv1a& hash, Vec2 vector) {
+  hash.add(vector.x);
+  hash.add(vector.y);
+}
 
 }  // namespace
 
@@ -41,9 +23,9 @@ std::uint64_t World::state_hash() const {
     const Ball& b = ball(i);
     hash.add(b.id);
     hash.add(static_cast<std::uint8_t>(b.role));
-    hash.add(b.position);
-    hash.add(b.velocity);
-    hash.add(b.acceleration);
+    add(hash, b.position);
+    add(hash, b.velocity);
+    add(hash, b.acceleration);
     hash.add(b.radius);
     hash.add(b.solidity);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "carom/scene_file.hpp"
 #include "games/launch.hpp"
 
 namespace games::angry_balls {
@@ -18,6 +19,14 @@ carom::Errors check_level(const carom::Scene& scene) {
                       .problem = "have no enemy",
                       .expected = "at least one ball with the role \"enemy\""});
   return errors;
+}
+
+carom::Result<carom::Scene> read_level(std::string_view json) {
+  auto scene = carom::read_scene(json);
+  if (!scene) return scene;
+  carom::Errors errors = check_level(scene.value());
+  if (!errors.empty()) return carom::locate(json, std::move(errors));
+  return scene;
 }
 
 carom::Result<Game> Game::create(carom::Scene level) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -54,6 +55,9 @@ struct Event {
 
 /// What keeps a sound scene from being a level: no projectile, no enemy. Empty when nothing does.
 carom::Errors check_level(const carom::Scene& scene);
+
+/// carom::read_scene for a level: refuses what check_level finds, too.
+carom::Result<carom::Scene> read_level(std::string_view json);
 
 class Game {
  public:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "carom/scene_file.hpp"
+#include "files/files.hpp"
 #include "games/angry_balls.hpp"
 #include "games/level_check.hpp"
 #include "tool/exit_status.hpp"
@@ -18,12 +19,12 @@ namespace tool {
 namespace {
 
 int check(const std::string& path) {
-  const auto input = read_scene_file(path);
-  if (!input) return report(input.errors(), path);
-  const auto& [bytes, scene] = input.value();
-  carom::Errors errors = games::angry_balls::check_level(scene);
-  if (!errors.empty()) return report(carom::locate(bytes, std::move(errors)), path);
-  for (carom::Error& warning : carom::locate(bytes, games::angry_balls::level_warnings(scene))) {
+  const auto bytes = files::read(path);
+  if (!bytes) return report(bytes.errors(), path);
+  const auto level = games::angry_balls::read_level(bytes.value());
+  if (!level) return report(level.errors(), path);
+  carom::Errors warnings = games::angry_balls::level_warnings(level.value());
+  for (carom::Error& warning : carom::locate(bytes.value(), std::move(warnings))) {
     warning.problem = "warning: " + warning.problem;
     std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
   }

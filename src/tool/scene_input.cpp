@@ -1,7 +1,6 @@
 #include "tool/scene_input.hpp"
 
 #include <cstdio>
-#include <utility>
 
 #include "carom/scene_file.hpp"
 #include "files/files.hpp"
@@ -9,12 +8,10 @@
 
 namespace tool {
 
-carom::Result<SceneInput> read_scene_file(const std::string& path) {
-  auto bytes = files::read(path);
+carom::Result<carom::Scene> read_scene_file(const std::string& path) {
+  const auto bytes = files::read(path);
   if (!bytes) return bytes.errors();
-  auto scene = carom::read_scene(bytes.value());
-  if (!scene) return scene.errors();
-  return SceneInput{std::move(bytes).value(), std::move(scene).value()};
+  return carom::read_scene(bytes.value());
 }
 
 std::string shown_name(const std::string& path) { return path == "-" ? "<standard input>" : path; }

@@ -7,13 +7,8 @@
 
 namespace tool {
 
-struct SceneInput {
-  std::string bytes;
-  carom::Scene scene;
-};
-
 /// Reads a scene file; "-" is standard input.
-carom::Result<SceneInput> read_scene_file(const std::string& path);
+carom::Result<carom::Scene> read_scene_file(const std::string& path);
 
 /// A file's name for messages.
 std::string shown_name(const std::string& path);

@@ -75,10 +75,9 @@ void summarise(const carom::World& world, std::FILE* out) {
 }
 
 int simulate(const Options& options) {
-  auto input = read_scene_file(options.scene);
-  if (!input) return report(input.errors(), options.scene);
-  input.value().bytes = {};
-  auto created = carom::World::create(std::move(input.value().scene));
+  auto scene = read_scene_file(options.scene);
+  if (!scene) return report(scene.errors(), options.scene);
+  auto created = carom::World::create(std::move(scene).value());
   if (!created) return report(created.errors(), options.scene);
   carom::World& world = created.value();
   if (options.launch) {
