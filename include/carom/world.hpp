@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "carom/balls.hpp"
 #include "carom/event.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
@@ -16,6 +18,15 @@ inline constexpr double time_step = 0.01;     ///< s, dt (§1.2.1)
 inline constexpr int steps_per_second = 100;  ///< 1 / time_step
 inline constexpr double rest_speed = 30;      ///< px/s, vmin: slower counts as standing (§1.4.1)
 inline constexpr int max_sub_steps = 64;      ///< of one step, for fast balls (spec §2)
+
+/// How a world finds the pairs of balls that may collide. It changes the speed and nothing else.
+enum class BroadPhase : std::uint8_t {
+  automatic,  ///< the quadtree, or what is quicker for a few balls
+  quadtree,   ///< O(balls) as long as they do not lie in heaps
+  pairs,      ///< tests every pair, O(balls²): the reference that the others are compared with
+};
+
+struct Workspace;
 
 /// Balls, holes, obstacles and edges in motion (§1.1.4, §1.2, §2.2). A plain value: copy it to keep
 /// a state. The same scene and the same calls give the same bits everywhere.
@@ -38,13 +49,15 @@ class World {
   /// Slots in the array, a lead out of play included: indices run from 0 to this, exclusive.
   std::size_t size() const { return balls_.size(); }
   /// The ball at an index < size().
-  const Ball& ball(std::size_t index) const { return balls_[index]; }
+  Ball ball(std::size_t index) const { return balls_[index]; }
+  /// All of them, for loops over many. Good until the world changes.
+  const Balls& balls() const { return balls_; }
   /// False only for a lead that waits to be placed.
   bool in_play(std::size_t index) const { return index != 0 || !lead_out_; }
   /// Balls in play.
   std::size_t balls_left() const { return balls_.size() - (lead_out_ ? 1 : 0); }
   /// Whether ball 0 is a cue ball or a projectile.
-  bool has_lead() const { return !balls_.empty() && is_lead(balls_[0].role); }
+  bool has_lead() const { return size() > 0 && is_lead(balls_.role[0]); }
 
   /// Steps taken since create().
   std::uint64_t steps() const { return steps_; }
@@ -64,6 +77,9 @@ class World {
   /// All speeds become zero (end of a turn, §1.4.1).
   void stop();
 
+  /// No part of the state: the same bits come out, sooner or later.
+  void set_broad_phase(BroadPhase broad_phase) { broad_phase_ = broad_phase; }
+
   /// 64-bit FNV-1a over the canonical state: one byte (1: the lead is out of play), the number of
   /// balls in play as 64 bits, then in index order for each ball in play its id (32 bits), role
   /// (8 bits), position, velocity, acceleration, radius and solidity (64 bits each). Little-endian,
@@ -73,12 +89,24 @@ class World {
  private:
   explicit World(Scene scene);
 
+  /// A copy of a world starts without the original's workspace.
+  struct WorkspaceOwner {
+    WorkspaceOwner() = default;
+    WorkspaceOwner(const WorkspaceOwner&) {}
+    WorkspaceOwner(WorkspaceOwner&&) = default;
+    WorkspaceOwner& operator=(const WorkspaceOwner&) { return *this; }
+    WorkspaceOwner& operator=(WorkspaceOwner&&) = default;
+    ~WorkspaceOwner() = default;
+    std::shared_ptr<Workspace> workspace;  ///< never shared; made by the first step()
+  };
+
   Scene scene_;
-  std::vector<Ball> balls_;
+  Balls balls_;
   bool lead_out_ = false;
   std::uint64_t steps_ = 0;
   std::vector<Event> events_;
-  std::vector<std::uint8_t> gone_;  ///< by index: went out of play in this sub-step
+  BroadPhase broad_phase_ = BroadPhase::automatic;
+  WorkspaceOwner owner_;
 
   friend class Stepper;
 };

@@ -49,7 +49,7 @@ void draw_strength(Canvas& canvas, const Rect& area, const Aim& aim, const Words
 }  // namespace
 
 void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& world, const Aim& aim) {
-  const carom::Ball& ball = world.ball(0);
+  const carom::Ball ball = world.ball(0);
   const Point from = viewport.to_window(ball.position);
   const float radius = viewport.px(ball.radius);
   if (aim.too_weak()) {

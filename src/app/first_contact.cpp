@@ -20,7 +20,7 @@ double edge_distance(double from, double way, double low, carom::Edge low_edge, 
 
 std::optional<FirstContact> first_contact(const carom::World& world, std::size_t index,
                                           carom::Vec2 direction) {
-  const carom::Ball& ball = world.ball(index);
+  const carom::Ball ball = world.ball(index);
   const carom::Scene& scene = world.scene();
   const carom::Vec2 way = carom::unit(direction);
   const double r = ball.radius;

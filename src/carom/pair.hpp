@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
-#include "carom/scene.hpp"
+#include "carom/balls.hpp"
+#include "carom/quadtree.hpp"
 #include "carom/vec2.hpp"
 
 namespace carom {
@@ -11,20 +13,23 @@ inline constexpr double separation_factor = 1.01;  ///< distance after a collisi
 /// Within this times the sum of radii two balls touch: just above the separation, so that a
 /// separated pair still does (spec §1).
 inline constexpr double touching_factor = 1.02;
+/// Balls enlarged by this reach into an obstacle's box, enlarged too, when its cap supports them.
+inline constexpr double box_factor = 1.03;
 
-/// Two indices, first < second; compared in the order of spec §2.
-struct Pair {
-  std::size_t first = 0;
-  std::size_t second = 0;
-};
-
-inline bool overlap(const Ball& a, const Ball& b) {
-  const double sum = a.radius + b.radius;
-  return length_squared(b.position - a.position) < sum * sum;
+inline bool overlap(const Balls& balls, std::size_t i, std::size_t j) {
+  const double sum = balls.radius[i] + balls.radius[j];
+  return length_squared(balls.position(j) - balls.position(i)) < sum * sum;
 }
 
-inline bool touch(const Ball& a, const Ball& b) {
-  return length(b.position - a.position) <= touching_factor * (a.radius + b.radius);
+inline bool touch(const Balls& balls, std::size_t i, std::size_t j) {
+  const double reach = touching_factor * (balls.radius[i] + balls.radius[j]);
+  const double squared = length_squared(balls.position(j) - balls.position(i));
+  // The root is rounded, so it decides where the squares are equal to within rounding; elsewhere
+  // they tell the same without it.
+  const double reach_squared = reach * reach;
+  if (squared > reach_squared * (1 + 1e-12)) return false;
+  if (squared < reach_squared * (1 - 1e-12)) return true;
+  return std::sqrt(squared) <= reach;
 }
 
 }  // namespace carom

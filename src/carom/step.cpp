@@ -4,6 +4,10 @@
 #include <utility>
 
 #include "carom/all_pairs.hpp"
+#include "carom/balls.hpp"
+#include "carom/row_pairs.hpp"
+#include "carom/vectors.hpp"
+#include "carom/workspace.hpp"
 #include "carom/world.hpp"
 
 namespace carom {
@@ -16,7 +20,9 @@ class Stepper {
         balls_(world.balls_),
         lead_out_(world.lead_out_),
         events_(world.events_),
-        gone_(world.gone_) {}
+        workspace_(*world.owner_.workspace),
+        gone_(workspace_.gone),
+        broad_phase_(world.broad_phase_) {}
 
   void step() {
     const int k = sub_steps();
@@ -24,44 +30,82 @@ class Stepper {
     const bool lead_was_out = lead_out_;
     for (int part = 1; part <= k && lead_out_ == lead_was_out; ++part) {
       gone_.assign(balls_.size(), 0);
+      any_gone_ = false;
       if (lead_out_) gone_[0] = 1;
-      AllPairs pairs(balls_, gone_);
       // The friction of a whole step acts once, in its last part.
       move(h, part == k ? scene_.friction : 1.0);
-      collide(pairs);
-      if (scene_.gravity > 0) support(pairs);
-      holes();
-      obstacles();
-      edges();
-      remove();
+      if (broad_phase_ == BroadPhase::pairs)
+        after_move(AllPairs(balls_, gone_));
+      else if (broad_phase_ == BroadPhase::automatic && balls_.size() <= PackedIndex::max_balls)
+        after_move(RowPairs(balls_, gone_, workspace_.packed, workspace_.rows));
+      else
+        after_move(RowPairs(balls_, gone_, workspace_.tree, workspace_.rows));
     }
   }
 
  private:
+  template <class Pairs>
+  void after_move(Pairs pairs) {
+    collide(pairs);
+    if (scene_.gravity > 0) support(pairs);
+    holes(pairs);
+    obstacles(pairs);
+    edges();
+    remove();
+  }
+
+  std::size_t first_in_play() const { return lead_out_ ? 1 : 0; }
+
   // Enough parts that no ball moves further than its radius in one (§1.2.1, erratum E2).
   int sub_steps() const {
+    if (!any_fast()) return 1;
     double most = 1;
-    for (std::size_t i = lead_out_ ? 1 : 0; i < balls_.size(); ++i)
-      most = std::max(most, length(balls_[i].velocity) * time_step / balls_[i].radius);
+    for (std::size_t i = first_in_play(); i < balls_.size(); ++i)
+      most = std::max(most, length(balls_.velocity(i)) * time_step / balls_.radius[i]);
     if (most >= max_sub_steps) return max_sub_steps;
     const int whole = static_cast<int>(most);
     return whole < most ? whole + 1 : whole;
   }
 
+  // Whether a ball may move further than its radius in one step. The squares of both sides are
+  // compared, without root and quotient; the margin is far above what their rounding can change.
+  bool any_fast() const {
+    constexpr double margin = 1 + 1e-12;
+    const auto too_fast = [](auto vx, auto vy, auto radius) {
+      return (vx * vx + vy * vy) * (time_step * time_step * margin) > radius * radius;
+    };
+    const std::size_t n = balls_.size();
+    std::size_t i = first_in_play();
+    Long2 fast{};
+    for (; i + 2 <= n; i += 2)
+      fast |= too_fast(load2(&balls_.vx[i]), load2(&balls_.vy[i]), load2(&balls_.radius[i]));
+    if ((fast[0] | fast[1]) != 0) return true;
+    return i < n && too_fast(balls_.vx[i], balls_.vy[i], balls_.radius[i]);
+  }
+
   // Stage 1 (§1.2.1, erratum E1).
   void move(double h, double friction) {
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-      if (gone_[i]) continue;
-      Ball& ball = balls_[i];
-      ball.position += ball.velocity * h;
-      ball.velocity = ball.velocity * friction + ball.acceleration * h;
-      ball.acceleration = {0, -scene_.gravity};
+    const std::size_t n = balls_.size();
+    double* __restrict x = balls_.x.data();
+    double* __restrict y = balls_.y.data();
+    double* __restrict vx = balls_.vx.data();
+    double* __restrict vy = balls_.vy.data();
+    double* __restrict ax = balls_.ax.data();
+    double* __restrict ay = balls_.ay.data();
+    const double gravity = scene_.gravity;
+    for (std::size_t i = first_in_play(); i < n; ++i) {
+      x[i] += vx[i] * h;
+      y[i] += vy[i] * h;
+      vx[i] = vx[i] * friction + ax[i] * h;
+      vy[i] = vy[i] * friction + ay[i] * h;
+      ax[i] = 0;
+      ay[i] = -gravity;
     }
   }
 
   // Stage 2: what overlaps collides at once, so later pairs see the moved balls.
-  template <class BroadPhase>
-  void collide(BroadPhase& pairs) {
+  template <class Pairs>
+  void collide(Pairs& pairs) {
     Pair pair;
     while (const auto next = pairs.next_overlap(pair)) {
       pair = *next;
@@ -73,23 +117,23 @@ class Stepper {
   }
 
   // §1.2.3
-  template <class BroadPhase>
-  void collide_two(BroadPhase& pairs, std::size_t i, std::size_t j) {
+  template <class Pairs>
+  void collide_two(Pairs& pairs, std::size_t i, std::size_t j) {
     const Vec2 u = separate(pairs, i, j);
-    exchange(i, j, deviation(balls_[i].velocity, balls_[j].velocity, u));
+    exchange(i, j, deviation(balls_.velocity(i), balls_.velocity(j), u));
   }
 
   // §1.2.4: the energy is shared, so each of the three pairs sees halved velocities.
-  template <class BroadPhase>
-  void collide_three(BroadPhase& pairs, std::size_t i, std::size_t j, std::size_t k) {
+  template <class Pairs>
+  void collide_three(Pairs& pairs, std::size_t i, std::size_t j, std::size_t k) {
     const std::array<std::pair<std::size_t, std::size_t>, 3> sides{{{i, j}, {j, k}, {i, k}}};
     for (const auto& [a, b] : sides)
-      if (overlap(balls_[a], balls_[b])) separate(pairs, a, b);
+      if (overlap(balls_, a, b)) separate(pairs, a, b);
     std::array<Vec2, 3> deviations;
     for (std::size_t n = 0; n < 3; ++n) {
       const auto& [a, b] = sides[n];
-      const Vec2 u = unit(balls_[b].position - balls_[a].position);
-      deviations[n] = deviation(balls_[a].velocity * 0.5, balls_[b].velocity * 0.5, u);
+      const Vec2 u = unit(balls_.position(b) - balls_.position(a));
+      deviations[n] = deviation(balls_.velocity(a) * 0.5, balls_.velocity(b) * 0.5, u);
     }
     for (std::size_t n = 0; n < 3; ++n) {
       const auto& [a, b] = sides[n];
@@ -99,14 +143,12 @@ class Stepper {
 
   // Puts an overlapping pair almost in contact about its meeting point; returns the unit vector
   // from i to j.
-  template <class BroadPhase>
-  Vec2 separate(BroadPhase& pairs, std::size_t i, std::size_t j) {
-    Ball& a = balls_[i];
-    Ball& b = balls_[j];
-    const Vec2 u = unit(b.position - a.position);
-    const Vec2 g = between(a, b);
-    a.position = g - separation_factor * a.radius * u;
-    b.position = g + separation_factor * b.radius * u;
+  template <class Pairs>
+  Vec2 separate(Pairs& pairs, std::size_t i, std::size_t j) {
+    const Vec2 u = unit(balls_.position(j) - balls_.position(i));
+    const Vec2 g = between(i, j);
+    balls_.set_position(i, g - separation_factor * balls_.radius[i] * u);
+    balls_.set_position(j, g + separation_factor * balls_.radius[j] * u);
     pairs.moved(i);
     pairs.moved(j);
     return u;
@@ -120,160 +162,199 @@ class Stepper {
   // Gives dv from one ball to the other; if exactly one of them breaks, the other is deviated the
   // less, the weaker that one was (§2.2.4).
   void exchange(std::size_t i, std::size_t j, Vec2 dv) {
-    Ball& a = balls_[i];
-    Ball& b = balls_[j];
     events_.push_back({.kind = EventKind::pair,
-                       .ball = a.id,
-                       .other = b.id,
-                       .position = between(a, b),
+                       .ball = balls_.id[i],
+                       .other = balls_.id[j],
+                       .position = between(i, j),
                        .deviation = dv});
-    const double solidity_a = a.solidity;
-    const double solidity_b = b.solidity;
+    const double solidity_i = balls_.solidity[i];
+    const double solidity_j = balls_.solidity[j];
     wear(i, dv);
     wear(j, dv);
     if (gone_[i] != gone_[j]) {
       const double ds = scene_.damage_per_speed * length(dv);
-      dv = (gone_[i] ? solidity_a : solidity_b) / ds * dv;
+      dv = (gone_[i] ? solidity_i : solidity_j) / ds * dv;
     }
-    a.velocity -= dv;
-    b.velocity += dv;
+    balls_.set_velocity(i, balls_.velocity(i) - dv);
+    balls_.set_velocity(j, balls_.velocity(j) + dv);
   }
 
   // The mean of the centres, each weighted by the other's radius.
-  static Vec2 between(const Ball& a, const Ball& b) {
-    return (b.radius * a.position + a.radius * b.position) / (a.radius + b.radius);
+  Vec2 between(std::size_t i, std::size_t j) const {
+    const double ri = balls_.radius[i];
+    const double rj = balls_.radius[j];
+    return (rj * balls_.position(i) + ri * balls_.position(j)) / (ri + rj);
   }
 
   // §2.1.1, §2.2.3: a shock costs solidity in proportion to the deviation, a weak one nothing.
   void wear(std::size_t i, Vec2 change) {
-    Ball& ball = balls_[i];
+    if (balls_.solidity[i] == infinite_solidity) return;
     const double ds = scene_.damage_per_speed * length(change);
-    if (ball.solidity == infinite_solidity || ds == 0 || ds < scene_.damage_threshold) return;
-    ball.solidity -= ds;
+    if (ds == 0 || ds < scene_.damage_threshold) return;
+    balls_.solidity[i] -= ds;
     events_.push_back({.kind = EventKind::damage,
-                       .ball = ball.id,
-                       .position = ball.position,
+                       .ball = balls_.id[i],
+                       .position = balls_.position(i),
                        .damage = ds,
-                       .solidity = ball.solidity});
-    if (ball.solidity < 0) lose(i, EventKind::destroyed);
+                       .solidity = balls_.solidity[i]});
+    if (balls_.solidity[i] < 0) lose(i, EventKind::destroyed);
   }
 
   // From here on the ball takes no part in the step.
   void lose(std::size_t i, EventKind how, std::size_t hole = 0) {
     gone_[i] = 1;
+    any_gone_ = true;
     events_.push_back({.kind = how,
-                       .ball = balls_[i].id,
+                       .ball = balls_.id[i],
                        .other = static_cast<std::uint32_t>(hole),
-                       .position = balls_[i].position});
+                       .position = balls_.position(i)});
   }
 
   // Stage 3 (§2.2.2): the lower ball of a touching pair acts as if fixed.
-  template <class BroadPhase>
-  void support(BroadPhase& pairs) {
-    Pair pair;
-    while (const auto next = pairs.next_touching(pair)) {
-      pair = *next;
-      Ball& a = balls_[pair.first];
-      Ball& b = balls_[pair.second];
-      const Vec2 u = unit(b.position - a.position);
-      if (a.position.y <= b.position.y)
-        hold(b, u);
+  template <class Pairs>
+  void support(Pairs& pairs) {
+    pairs.for_each_touching([&](Pair pair) {
+      const auto [i, j] = pair;
+      const Vec2 u = unit(balls_.position(j) - balls_.position(i));
+      if (balls_.y[i] <= balls_.y[j])
+        hold(j, u);
       else
-        hold(a, -1.0 * u);
-    }
+        hold(i, -1.0 * u);
+    });
   }
 
   // Takes away what of a ball's acceleration presses against its support; u points from there to
   // it.
-  static void hold(Ball& ball, Vec2 u) {
-    ball.acceleration -= std::min(dot(ball.acceleration, u), 0.0) * u;
+  void hold(std::size_t i, Vec2 u) {
+    const Vec2 a = balls_.acceleration(i);
+    balls_.set_acceleration(i, a - std::min(dot(a, u), 0.0) * u);
   }
 
   // Stage 4 (§1.2.5).
-  void holes() {
+  template <class Pairs>
+  void holes(Pairs& pairs) {
     for (std::size_t n = 0; n < scene_.holes.size(); ++n) {
-      const Hole& hole = scene_.holes[n];
-      for (std::size_t i = 0; i < balls_.size(); ++i) {
-        if (gone_[i]) continue;
-        Ball& ball = balls_[i];
-        const Vec2 inwards = hole.position - ball.position;
-        const double distance = length(inwards);
-        if (distance >= hole.radius) continue;
-        if (distance <= hole.radius - ball.radius) {
-          lose(i, EventKind::pocketed, n);
-        } else if (distance > 0) {
-          const double d = (hole.radius - distance) / ball.radius;
-          // Rounding may put d a hair above 1.
-          const double pull = scene_.hole_pull * d * std::sqrt(std::max(1 - d * d, 0.0));
-          ball.acceleration += pull * (inwards / distance);
-        }
-      }
+      const Vec2 centre = scene_.holes[n].position;
+      const Vec2 reach{scene_.holes[n].radius, scene_.holes[n].radius};
+      pairs.for_each_in_box(centre - reach, centre + reach, [&](std::size_t i) {
+        if (!gone_[i]) hole(n, i);
+      });
+    }
+  }
+
+  void hole(std::size_t n, std::size_t i) {
+    const Hole& hole = scene_.holes[n];
+    const Vec2 inwards = hole.position - balls_.position(i);
+    const double distance = length(inwards);
+    if (distance >= hole.radius) return;
+    const double radius = balls_.radius[i];
+    if (distance <= hole.radius - radius) {
+      lose(i, EventKind::pocketed, n);
+    } else if (distance > 0) {
+      const double d = (hole.radius - distance) / radius;
+      // Rounding may put d a hair above 1.
+      const double pull = scene_.hole_pull * d * std::sqrt(std::max(1 - d * d, 0.0));
+      balls_.set_acceleration(i, balls_.acceleration(i) + pull * (inwards / distance));
     }
   }
 
   // Stage 5 (§2.2.5).
-  void obstacles() {
-    for (std::size_t n = 0; n < scene_.obstacles.size(); ++n)
-      for (std::size_t i = 0; i < balls_.size(); ++i)
-        if (!gone_[i]) obstacle(scene_.obstacles[n], n, i);
+  template <class Pairs>
+  void obstacles(Pairs& pairs) {
+    if (scene_.obstacles.empty()) return;
+    double lowest = 0;  // a wall goes down as far as there are balls
+    for (const double y : balls_.y) lowest = std::min(lowest, y);
+    for (std::size_t n = 0; n < scene_.obstacles.size(); ++n) {
+      const Obstacle& obstacle = scene_.obstacles[n];
+      const double side = obstacle.radius * box_factor;
+      pairs.for_each_in_box({obstacle.x - side, lowest},
+                            {obstacle.x + side, obstacle.height + side}, [&](std::size_t i) {
+                              if (!gone_[i] && this->obstacle(n, i)) pairs.moved(i);
+                            });
+    }
   }
 
-  void obstacle(const Obstacle& obstacle, std::size_t n, std::size_t i) {
-    Ball& ball = balls_[i];
-    const double reach = obstacle.radius + ball.radius;
-    if (ball.position.y < obstacle.height) {
-      if (std::abs(ball.position.x - obstacle.x) >= reach) return;
-      const double side = ball.position.x >= obstacle.x ? 1 : -1;
-      ball.position.x = obstacle.x + side * reach;
+  // Whether it put the ball elsewhere.
+  bool obstacle(std::size_t n, std::size_t i) {
+    const Obstacle& obstacle = scene_.obstacles[n];
+    const double reach = obstacle.radius + balls_.radius[i];
+    const Vec2 position = balls_.position(i);
+    if (position.y < obstacle.height) {
+      if (std::abs(position.x - obstacle.x) >= reach) return false;
+      const double side = position.x >= obstacle.x ? 1 : -1;
+      balls_.x[i] = obstacle.x + side * reach;
       bounce(i, {side, 0}, EventKind::wall, n);
-      return;
+      return true;
     }
     const Vec2 cap{obstacle.x, obstacle.height};
-    if (length(ball.position - cap) < reach) {
-      const Vec2 u = unit(ball.position - cap);
-      ball.position = cap + separation_factor * reach * u;
+    const bool hit = length(position - cap) < reach;
+    if (hit) {
+      const Vec2 u = unit(position - cap);
+      balls_.set_position(i, cap + separation_factor * reach * u);
       bounce(i, u, EventKind::cap, n);
-      if (gone_[i]) return;
+      if (gone_[i]) return true;
     }
-    if (scene_.gravity > 0 && length(ball.position - cap) <= touching_factor * reach)
-      hold(ball, unit(ball.position - cap));
+    const Vec2 out = balls_.position(i) - cap;
+    if (scene_.gravity > 0 && length(out) <= touching_factor * reach) hold(i, unit(out));
+    return hit;
   }
 
   // Mirrors away what of a ball's velocity goes against u, the unit vector out of what it hit; all
   // it does for a ball that is parting already is to tell (erratum E3).
   void bounce(std::size_t i, Vec2 u, EventKind kind, std::size_t what) {
-    Ball& ball = balls_[i];
-    const Vec2 change = -2.0 * std::min(dot(ball.velocity, u), 0.0) * u;
-    ball.velocity += change;
+    const Vec2 velocity = balls_.velocity(i);
+    const Vec2 change = -2.0 * std::min(dot(velocity, u), 0.0) * u;
+    balls_.set_velocity(i, velocity + change);
     events_.push_back({.kind = kind,
-                       .ball = ball.id,
+                       .ball = balls_.id[i],
                        .other = static_cast<std::uint32_t>(what),
-                       .position = ball.position,
+                       .position = balls_.position(i),
                        .deviation = change});
     wear(i, change);
   }
 
-  // Stage 6 (§1.2.2, §2.1.3, §2.2.2, §2.2.3).
+  // Stage 6 (§1.2.2, §2.1.3, §2.2.2, §2.2.3). Most balls are far from every edge: these are passed
+  // over some at a time, by the same comparisons that side() makes.
   void edges() {
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-      if (!gone_[i]) side(i, Side::left, scene_.edges.left);
-      if (!gone_[i]) side(i, Side::right, scene_.edges.right);
-      if (!gone_[i]) side(i, Side::bottom, scene_.edges.bottom);
-      if (!gone_[i]) side(i, Side::top, scene_.edges.top);
-      Ball& ball = balls_[i];
-      if (!gone_[i] && scene_.gravity > 0 && scene_.edges.bottom == Edge::solid &&
-          ball.position.y <= separation_factor * ball.radius)
-        ball.acceleration.y = std::max(ball.acceleration.y, 0.0);
+    constexpr std::size_t block = 8;
+    const std::size_t n = balls_.size();
+    std::size_t i = 0;
+    for (; i + block <= n; i += block)
+      if (any_at_edge<block>(i))
+        for (std::size_t k = i; k < i + block; ++k) edges(k);
+    for (; i < n; ++i) edges(i);
+  }
+
+  template <std::size_t block>
+  bool any_at_edge(std::size_t begin) const {
+    const double low = scene_.gravity > 0 ? separation_factor : 1;
+    Long2 out{};
+    for (std::size_t i = begin; i < begin + block; i += 2) {
+      const Double2 x = load2(&balls_.x[i]);
+      const Double2 y = load2(&balls_.y[i]);
+      const Double2 radius = load2(&balls_.radius[i]);
+      out |= (x - radius < 0) | (x + radius > scene_.width) | (y - radius < 0) |
+             (y + radius > scene_.height) | (y <= low * radius);
     }
+    return (out[0] | out[1]) != 0;
+  }
+
+  void edges(std::size_t i) {
+    if (!gone_[i]) side(i, Side::left, scene_.edges.left);
+    if (!gone_[i]) side(i, Side::right, scene_.edges.right);
+    if (!gone_[i]) side(i, Side::bottom, scene_.edges.bottom);
+    if (!gone_[i]) side(i, Side::top, scene_.edges.top);
+    if (!gone_[i] && scene_.gravity > 0 && scene_.edges.bottom == Edge::solid &&
+        balls_.y[i] <= separation_factor * balls_.radius[i])
+      balls_.ay[i] = std::max(balls_.ay[i], 0.0);
   }
 
   void side(std::size_t i, Side side, Edge edge) {
-    Ball& ball = balls_[i];
     const bool upright = side == Side::left || side == Side::right;
     const bool low = side == Side::left || side == Side::bottom;
-    double& coordinate = upright ? ball.position.x : ball.position.y;
+    double& coordinate = upright ? balls_.x[i] : balls_.y[i];
     const double end = upright ? scene_.width : scene_.height;
-    const double r = ball.radius;
+    const double r = balls_.radius[i];
     if (edge == Edge::open) {
       if (upright && (low ? coordinate + r < 0 : coordinate - r > end)) lose(i, EventKind::left);
       return;
@@ -288,26 +369,29 @@ class Stepper {
 
   // Stage 7 (§1.4.1): from the highest index down, so the last ball is always one that stays.
   void remove() {
+    if (!any_gone_) return;
     for (std::size_t i = balls_.size(); i-- > 0;) {
       if (!gone_[i]) continue;
-      if (i == 0 && is_lead(balls_[0].role)) {
+      if (i == 0 && is_lead(balls_.role[0]))
         lead_out_ = true;
-        continue;
-      }
-      balls_[i] = balls_.back();
-      balls_.pop_back();
+      else
+        balls_.swap_out(i);
     }
   }
 
   const Scene& scene_;
-  std::vector<Ball>& balls_;
+  Balls& balls_;
   bool& lead_out_;
   std::vector<Event>& events_;
+  Workspace& workspace_;
   std::vector<std::uint8_t>& gone_;
+  const BroadPhase broad_phase_;
+  bool any_gone_ = false;  ///< more than a lead that was out before
 };
 
 std::span<const Event> World::step() {
   events_.clear();
+  if (!owner_.workspace) owner_.workspace = std::make_shared<Workspace>();
   Stepper(*this).step();
   ++steps_;
   return events_;

@@ -18,14 +18,15 @@ Error no_such_ball() {
 
 }  // namespace
 
-World::World(Scene scene) : scene_(std::move(scene)), balls_(std::move(scene_.balls)) {
-  scene_.balls.clear();
-  std::uint32_t id = 0;
-  for (Ball& ball : balls_) {
-    ball.id = id++;
+World::World(Scene scene) : scene_(std::move(scene)) {
+  balls_.reserve(scene_.balls.size());
+  for (Ball ball : scene_.balls) {
+    ball.id = static_cast<std::uint32_t>(size());
     ball.acceleration = {};
     if (ball.role == Role::projectile) ball.solidity = infinite_solidity;
+    balls_.push_back(ball);
   }
+  scene_.balls = {};
 }
 
 Result<World> World::create(Scene scene) {
@@ -35,15 +36,20 @@ Result<World> World::create(Scene scene) {
 }
 
 bool World::at_rest() const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (!in_play(i)) continue;
-    if (length(ball(i).velocity) >= rest_speed) return false;
-    if (scene_.hole_pull == 0) continue;
+  // Squares far from the limit's need no root to be told from it.
+  constexpr double surely_fast = rest_speed * rest_speed * 1.001;
+  constexpr double surely_slow = rest_speed * rest_speed * 0.999;
+  for (std::size_t i = lead_out_ ? 1 : 0; i < size(); ++i) {
+    const double squared = length_squared(balls_.velocity(i));
+    if (squared >= surely_fast) return false;
+    if (!(squared <= surely_slow) && length(balls_.velocity(i)) >= rest_speed) return false;
+  }
+  if (scene_.hole_pull == 0) return true;
+  for (std::size_t i = lead_out_ ? 1 : 0; i < size(); ++i)
     for (const Hole& hole : scene_.holes) {
-      const double distance = length(hole.position - ball(i).position);
+      const double distance = length(hole.position - balls_.position(i));
       if (distance > 0 && distance < hole.radius) return false;
     }
-  }
   return true;
 }
 
@@ -53,7 +59,7 @@ Status World::set_velocity(std::size_t index, Vec2 velocity) {
     return Error{.pointer = "velocity",
                  .problem = "is not finite or too fast",
                  .expected = "at most 100000 (px/s)"};
-  balls_[index].velocity = velocity;
+  balls_.set_velocity(index, velocity);
   return Done{};
 }
 
@@ -66,17 +72,16 @@ Status World::place_lead(Vec2 position) {
     return Error{.pointer = "position",
                  .problem = "is not finite or too far away",
                  .expected = "coordinates from -1000000000 to 1000000000 (px)"};
-  Ball& lead = balls_[0];
-  if (auto error = obstruction_error(scene_, position, lead.radius, "position")) return *error;
-  lead.position = position;
-  lead.velocity = {};
-  lead.acceleration = {};
+  if (auto error = obstruction_error(scene_, position, balls_.radius[0], "position")) return *error;
+  balls_.set_position(0, position);
+  balls_.set_velocity(0, {});
+  balls_.set_acceleration(0, {});
   lead_out_ = false;
   return Done{};
 }
 
 void World::stop() {
-  for (Ball& ball : balls_) ball.velocity = {};
+  for (std::size_t i = 0; i < size(); ++i) balls_.set_velocity(i, {});
 }
 
 }  // namespace carom

@@ -34,7 +34,7 @@ void warn_of_restless_balls(const carom::Scene& level, carom::Errors& warnings) 
   for (int step = 0; step < settle_steps; ++step) world.step();
   std::vector<bool> present(settled.balls.size());
   for (std::size_t i = 0; i < world.size(); ++i) {
-    const carom::Ball& ball = world.ball(i);
+    const carom::Ball ball = world.ball(i);
     present[ball.id] = true;
     const double distance = carom::length(ball.position - settled.balls[ball.id].position);
     if (distance > moved_distance)

@@ -59,7 +59,7 @@ inline Shot choose_shot(const billiards::Game& game, const app::Viewport& viewpo
     candidates.push_back({straightness, {grab, target()}});
   };
   for (std::size_t i = 1; i < world.size(); ++i) {
-    const carom::Ball& red = world.ball(i);
+    const carom::Ball red = world.ball(i);
     for (const carom::Hole& hole : world.scene().holes) {
       const carom::Vec2 to_hole = carom::unit(hole.position - red.position);
       const carom::Vec2 ghost = red.position - (red.radius + world.ball(0).radius) * to_hole;

@@ -61,7 +61,7 @@ inline carom::Vec2 momentum(const carom::World& world) {
 
 inline bool all_finite(const carom::World& world) {
   for (std::size_t i = 0; i < world.size(); ++i) {
-    const carom::Ball& b = world.ball(i);
+    const carom::Ball b = world.ball(i);
     for (const double number : {b.position.x, b.position.y, b.velocity.x, b.velocity.y,
                                 b.acceleration.x, b.acceleration.y})
       if (!std::isfinite(number)) return false;

@@ -297,7 +297,7 @@ TEST(Billiards, NoBallEverLeavesTheTableOrTurnsNaNIn1000RandomBreaks) {
       const carom::World& world = game.world();
       for (std::size_t i = 0; i < world.size(); ++i) {
         if (!world.in_play(i)) continue;
-        const carom::Ball& ball = world.ball(i);
+        const carom::Ball ball = world.ball(i);
         // Comparisons that NaN fails.
         ASSERT_TRUE(ball.position.x >= ball.radius && ball.position.x <= 800 - ball.radius &&
                     ball.position.y >= ball.radius && ball.position.y <= 400 - ball.radius &&

@@ -79,7 +79,7 @@ TEST_P(Level, IsWonByItsRecordedThrows) {
 void expect_sound(const carom::World& world) {
   for (std::size_t i = 0; i < world.size(); ++i) {
     if (!world.in_play(i)) continue;
-    const carom::Ball& ball = world.ball(i);
+    const carom::Ball ball = world.ball(i);
     // Comparisons that NaN fails.
     ASSERT_TRUE(std::abs(ball.position.x) < 1e5 && ball.position.y < 1e5);
     ASSERT_TRUE(carom::length(ball.velocity) < 1e5);

@@ -1,0 +1,258 @@
+#include "carom/quadtree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+
+#include "carom/quadtree_search.hpp"
+
+namespace carom {
+
+namespace {
+
+// A square's side over the largest diameter that its level takes. Wider squares are fewer, and hold
+// more discs that are in vain compared with each other (docs/performance.md).
+constexpr double side_per_diameter = 1.3;
+// The levels' form fits a state of the world that changes slowly.
+constexpr int builds_per_shape = 64;
+// Discs that moved further than a square from theirs: looked at one by one, so not too many.
+constexpr std::size_t max_strays = 64;
+constexpr std::size_t padding = 8;  // slots behind the last that may be read
+
+template <class Item>
+void sort_unique(std::vector<Item>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+}  // namespace
+
+void Quadtree::build(std::span<const double> x, std::span<const double> y,
+                     std::span<const double> radius) {
+  x_ = x;
+  y_ = y;
+  radius_ = radius;
+  strays_.clear();
+  if (slot_x_.size() < size() + padding) {
+    slot_x_.resize(size() + padding);
+    slot_y_.resize(size() + padding);
+    slot_radius_.resize(size() + padding);
+    slot_disc_.resize(size() + padding);
+    slot_cell_.resize(size() + padding);
+    slot_.resize(size());
+    cell_.resize(size());
+  }
+  if (size() == 0) {
+    levels_.clear();
+    return;
+  }
+  if (builds_until_shape_-- == 0 || shaped_size_ != size()) shape();
+  sort_into_squares();
+  // Behind the last slot there is nothing near.
+  for (std::size_t slot = size(); slot < size() + padding; ++slot) {
+    slot_x_[slot] = slot_y_[slot] = 1e18F;
+    slot_radius_[slot] = 0;
+  }
+}
+
+void Quadtree::set_slot(std::uint32_t slot, std::size_t i) {
+  const auto rounded = QuadtreeSearch::rounded(x_[i], y_[i], radius_[i]);
+  slot_x_[slot] = rounded.x;
+  slot_y_[slot] = rounded.y;
+  slot_radius_[slot] = rounded.radius;
+  slot_disc_[slot] = static_cast<std::uint32_t>(i);
+  slot_[i] = slot;
+}
+
+// Chooses the levels and their tables. Whatever it chooses, what is found is right: only the time
+// it takes depends on it.
+void Quadtree::shape() {
+  builds_until_shape_ = builds_per_shape;
+  shaped_size_ = size();
+  largest_ = *std::max_element(radius_.begin(), radius_.end());
+
+  struct Extent {
+    std::size_t discs = 0;
+    std::int64_t left = std::numeric_limits<std::int64_t>::max();
+    std::int64_t right = std::numeric_limits<std::int64_t>::min();
+    std::int64_t bottom = std::numeric_limits<std::int64_t>::max();
+    std::int64_t top = std::numeric_limits<std::int64_t>::min();
+  };
+  std::array<Extent, max_depths> extents;
+  std::array<double, max_depths> sides;
+  sides[0] = 2 * side_per_diameter * largest_;
+  for (std::size_t depth = 1; depth < max_depths; ++depth) sides[depth] = sides[depth - 1] / 2;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::size_t depth = depth_of(radius_[i]);
+    const std::int64_t column = coordinate(x_[i], 1 / sides[depth]);
+    const std::int64_t row = coordinate(y_[i], 1 / sides[depth]);
+    Extent& extent = extents[depth];
+    ++extent.discs;
+    extent.left = std::min(extent.left, column);
+    extent.right = std::max(extent.right, column);
+    extent.bottom = std::min(extent.bottom, row);
+    extent.top = std::max(extent.top, row);
+  }
+
+  levels_.clear();
+  std::uint32_t cells = 0;
+  for (std::size_t depth = 0; depth < max_depths; ++depth) {
+    const Extent& extent = extents[depth];
+    if (extent.discs > 0) {
+      // Enough squares for all of the level's part of the plane, if that is not too many; otherwise
+      // the plane is folded.
+      const std::uint64_t columns = static_cast<std::uint64_t>(extent.right - extent.left + 1);
+      const std::uint64_t rows = static_cast<std::uint64_t>(extent.top - extent.bottom + 1);
+      const std::uint64_t most = 2 * extent.discs;
+      const bool fits = columns <= most && rows <= most && columns * rows <= most;
+      const std::uint32_t count =
+          std::bit_ceil(std::max(16U, static_cast<std::uint32_t>(fits ? columns * rows : most)));
+      Level level;
+      level.depth = static_cast<int>(depth);
+      level.side = sides[depth];
+      level.per_side = 1 / sides[depth];
+      level.first_cell = cells;
+      level.mask = count - 1;
+      // At least 4, so that the eight neighbours of a square are different ones.
+      level.stride = fits ? std::max(4U, static_cast<std::uint32_t>(columns))
+                          : std::uint32_t{1} << (std::bit_width(count) / 2) | 1U;
+      cells += count;
+      levels_.push_back(level);
+    }
+    // A radius that comes later and whose own level does not exist goes to the next coarser.
+    level_at_depth_[depth] = static_cast<std::uint8_t>(levels_.size() - 1);
+  }
+  starts_.resize(cells + 2);
+}
+
+std::size_t Quadtree::depth_of(double radius) const {
+  std::size_t depth = 0;
+  for (double limit = largest_ / 2; radius <= limit && depth + 1 < max_depths; limit /= 2) ++depth;
+  return depth;
+}
+
+void Quadtree::sort_into_squares() {
+  std::fill(starts_.begin(), starts_.end(), 0U);
+  for (Level& level : levels_) level.largest = 0;
+  if (levels_.size() == 1) {
+    place_discs([](std::size_t) { return 0; });
+  } else {
+    level_.resize(size());
+    for (std::size_t i = 0; i < size(); ++i) level_[i] = level_at_depth_[depth_of(radius_[i])];
+    place_discs([this](std::size_t i) { return level_[i]; });
+  }
+  for (Level& level : levels_) {
+    level.begin = starts_[level.first_cell];
+    level.end = starts_[level.first_cell + level.mask + 1];
+    level.slack = 0;
+  }
+}
+
+// A counting sort. Discs of a square keep the order of their indices.
+template <class LevelOf>
+void Quadtree::place_discs(LevelOf level_of) {
+  // Local copies: the compiler knows that what the loops write does not change them.
+  std::array<Level, max_depths> levels;
+  std::copy(levels_.begin(), levels_.end(), levels.begin());
+  const std::size_t n = size();
+  const double* const x = x_.data();
+  const double* const y = y_.data();
+  const double* const radius = radius_.data();
+  std::uint32_t* const starts = starts_.data();
+  std::uint32_t* const square_of = cell_.data();
+
+  for (std::size_t i = 0; i < n; ++i) {
+    const Level& level = levels[level_of(i)];
+    square_of[i] = level.first_cell +
+                   cell(level, coordinate(x[i], level.per_side), coordinate(y[i], level.per_side));
+  }
+  // Counts are kept two places further on, …
+  for (std::size_t i = 0; i < n; ++i) ++starts[square_of[i] + 2];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& start : starts_) {
+    sum += start;
+    start = sum;
+  }
+  // … so that the entry behind a square's own is where its next disc goes, and ends as the start of
+  // the next square.
+  for (std::size_t i = 0; i < n; ++i) {
+    Level& level = levels[level_of(i)];
+    const std::uint32_t slot = starts[square_of[i] + 1]++;
+    const auto rounded = QuadtreeSearch::rounded(x[i], y[i], radius[i]);
+    slot_x_[slot] = rounded.x;
+    slot_y_[slot] = rounded.y;
+    slot_radius_[slot] = rounded.radius;
+    slot_disc_[slot] = static_cast<std::uint32_t>(i);
+    slot_cell_[slot] = square_of[i] - level.first_cell;
+    slot_[i] = slot;
+    level.largest = level.largest < radius[i] ? radius[i] : level.largest;
+  }
+  for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].largest = levels[l].largest;
+}
+
+void Quadtree::moved(std::size_t i) {
+  set_slot(slot_[i], i);
+  Level& level = levels_[levels_.size() == 1 ? 0 : level_[i]];
+  const std::int64_t column = coordinate(x_[i], level.per_side);
+  const std::int64_t row = coordinate(y_[i], level.per_side);
+  const std::uint32_t home = cell_[i] - level.first_cell;
+  if (cell(level, column, row) == home) return;
+  // It stays listed in its old square. If that is a neighbour of the new one, searches are widened
+  // by what it is outside of it.
+  const auto outside = [&](double position, std::int64_t coordinate, int direction) {
+    const double low = static_cast<double>(coordinate) * level.side;
+    if (direction == 0) return 0.0;
+    return direction < 0 ? position - low : low + level.side - position;
+  };
+  for (const int up : {-1, 0, 1})
+    for (const int right : {-1, 0, 1})
+      if (cell(level, column + right, row + up) == home) {
+        const double out = std::max(outside(x_[i], column, right), outside(y_[i], row, up));
+        if (!(out <= level.side)) continue;
+        level.slack = std::max(level.slack, out + level.side * 1e-6);
+        return;
+      }
+  if (strays_.size() < max_strays)
+    strays_.push_back(static_cast<std::uint32_t>(i));
+  else
+    build(x_, y_, radius_);
+}
+
+void Quadtree::query_disc(Vec2 centre, double radius, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  IndexList candidates;
+  QuadtreeSearch(*this).near(centre.x, centre.y, radius, 1, candidates);
+  for (const std::uint32_t i : candidates) {
+    const double sum = radius_[i] + radius;
+    if (length_squared(Vec2{x_[i], y_[i]} - centre) < sum * sum) found.push_back(i);
+  }
+  sort_unique(found);
+}
+
+void Quadtree::query_box(Vec2 low, Vec2 high, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  IndexList candidates;
+  QuadtreeSearch(*this).box(low, high, 1, candidates);
+  for (const std::uint32_t i : candidates) {
+    const Vec2 centre{x_[i], y_[i]};
+    const Vec2 nearest{std::min(std::max(centre.x, low.x), high.x),
+                       std::min(std::max(centre.y, low.y), high.y)};
+    if (length_squared(centre - nearest) <= radius_[i] * radius_[i]) found.push_back(i);
+  }
+  sort_unique(found);
+}
+
+void Quadtree::overlapping_pairs(std::vector<Pair>& pairs) const {
+  pairs.clear();
+  const auto add = [&](std::uint32_t i, std::uint32_t j) {
+    if (i == j) return;
+    const double sum = radius_[i] + radius_[j];
+    if (length_squared(Vec2{x_[j], y_[j]} - Vec2{x_[i], y_[i]}) < sum * sum)
+      pairs.push_back({std::min(i, j), std::max(i, j)});
+  };
+  QuadtreeSearch(*this).pairs(add);
+  sort_unique(pairs);
+}
+
+}  // namespace carom
