@@ -88,12 +88,18 @@ class Quadtree {
 
   void shape();
   void sort_into_squares();
+  void squares_of_two(const Level& level);
   template <class LevelOf>
   void place_discs(LevelOf level_of);
   void set_slot(std::uint32_t slot, std::size_t i);
   std::size_t depth_of(double radius) const;
-  static std::int64_t coordinate(double position, double per_side);
-  static std::uint32_t cell(const Level& level, std::int64_t column, std::int64_t row);
+  /// A square's column and row on its level; 0, 0 has the origin at its lower left.
+  struct Place {
+    std::int64_t column;
+    std::int64_t row;
+  };
+  static Place place(const Level& level, double x, double y);
+  static std::uint32_t cell(const Level& level, Place place);
 
   std::span<const double> x_;
   std::span<const double> y_;

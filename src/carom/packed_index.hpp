@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "carom/balls.hpp"
-#include "carom/index_list.hpp"
 #include "carom/vec2.hpp"
 #include "carom/vectors.hpp"
 
@@ -25,11 +24,19 @@ class PackedIndex {
 
   void build(const Balls& balls) {
     balls_ = &balls;
+    const bool as_before = size_ == balls.size();
     size_ = balls.size();
-    if (builds_until_units_-- == 0) choose_units();
-    for (std::size_t i = 0; i < size_; ++i) pack(i);
-    // Nothing is near what fills the last eight up.
-    for (std::size_t i = size_; i < size_ + 8; ++i) reach_[i] = -4 * far;
+    const bool new_units = builds_until_units_-- == 0;
+    if (new_units) choose_units();
+    // Loops that the compiler can make take several balls at a time.
+    pack_all(balls.x.data(), middle_.x, x_.data());
+    pack_all(balls.y.data(), middle_.y, y_.data());
+    // Which ball has which radius changes only when one is removed.
+    if (!as_before || new_units) {
+      for (std::size_t i = 0; i < size_; ++i) reach_[i] = reach(balls.radius[i]);
+      // Nothing is near what fills the last eight up.
+      for (std::size_t i = size_; i < size_ + 8; ++i) reach_[i] = -4 * far;
+    }
   }
 
   void moved(std::size_t i) { pack(i); }
@@ -41,23 +48,49 @@ class PackedIndex {
       const Short8 y = splat8(y_[i]);
       const Short8 reach = splat8(reach_[i]);
       for (std::size_t j = i + 1; j < size_; j += 8) {
-        for_each_false(misses(j, x, y, reach), [&](std::size_t lane) {
-          hit(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j + lane));
+        for_each_bit(hits(j, x, y, reach), [&](std::uint32_t lane) {
+          hit(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j) + lane);
         });
       }
     }
   }
 
-  void near(double x, double y, double own, float factor, IndexList& found) const {
+  template <class Hit>
+  void near(double x, double y, double own, float factor, Hit hit) const {
     const Short8 x8 = splat8(coordinate(x - middle_.x));
     const Short8 y8 = splat8(coordinate(y - middle_.y));
     const Short8 reach8 = splat8(reach(own + (static_cast<double>(factor) - 1) * largest_));
     for (std::size_t j = 0; j < size_; j += 8)
-      for_each_false(misses(j, x8, y8, reach8),
-                     [&](std::size_t lane) { found.append(static_cast<std::uint32_t>(j + lane)); });
+      for_each_bit(hits(j, x8, y8, reach8),
+                   [&](std::uint32_t lane) { hit(static_cast<std::uint32_t>(j) + lane); });
   }
 
-  void box(Vec2 low, Vec2 high, double factor, IndexList& found) const {
+  bool any_near(double x, double y, double own, std::uint32_t a, std::uint32_t b) const {
+    bool any = false;
+    near(x, y, own, 1, [&](std::uint32_t i) { any |= i != a && i != b; });
+    return any;
+  }
+
+  bool any_near_both(std::uint32_t i, std::uint32_t j, float factor) const {
+    const auto more = static_cast<double>(factor) - 1;
+    const auto reach8 = [&](std::uint32_t k) {
+      return splat8(reach(balls_->radius[k] * (1 + more) + more * largest_));
+    };
+    const Short8 reach_i = reach8(i);
+    const Short8 reach_j = reach8(j);
+    bool any = false;
+    for (std::size_t k = 0; k < size_; k += 8)
+      for_each_bit(hits(k, splat8(x_[i]), splat8(y_[i]), reach_i) &
+                       hits(k, splat8(x_[j]), splat8(y_[j]), reach_j),
+                   [&](std::uint32_t lane) {
+                     const std::uint32_t third = static_cast<std::uint32_t>(k) + lane;
+                     any |= third != i && third != j;
+                   });
+    return any;
+  }
+
+  template <class Hit>
+  void box(Vec2 low, Vec2 high, double factor, Hit hit) const {
     const double more = (factor - 1) * largest_ + 1 / units_per_px_;
     const Short8 left = splat8(coordinate(low.x - more - middle_.x));
     const Short8 right = splat8(coordinate(high.x + more - middle_.x));
@@ -69,8 +102,8 @@ class PackedIndex {
       const Short8 reach = load8(&reach_[j]);
       const Short8 miss =
           (x + reach < left) | (x - reach > right) | (y + reach < bottom) | (y - reach > top);
-      for_each_false(miss,
-                     [&](std::size_t lane) { found.append(static_cast<std::uint32_t>(j + lane)); });
+      for_each_bit(~bits(miss) & 0xffU,
+                   [&](std::uint32_t lane) { hit(static_cast<std::uint32_t>(j) + lane); });
     }
   }
 
@@ -99,7 +132,8 @@ class PackedIndex {
   }
 
   static double bounded(double units) {
-    return std::min(std::max(-double{far}, units), double{far});
+    const double not_less = units > -far ? units : -far;
+    return not_less < far ? not_less : far;
   }
   // Less than a unit nearer to the middle than it is.
   std::int16_t coordinate(double px) const {
@@ -114,15 +148,22 @@ class PackedIndex {
   void pack(std::size_t i) {
     x_[i] = coordinate(balls_->x[i] - middle_.x);
     y_[i] = coordinate(balls_->y[i] - middle_.y);
-    reach_[i] = reach(balls_->radius[i]);
   }
 
-  Short8 misses(std::size_t j, Short8 x, Short8 y, Short8 reach) const {
+  void pack_all(const double* __restrict px, double middle, std::int16_t* __restrict packed) const {
+    const double units = units_per_px_;
+    for (std::size_t i = 0; i < size_; ++i)
+      packed[i] =
+          static_cast<std::int16_t>(static_cast<std::int32_t>(bounded((px[i] - middle) * units)));
+  }
+
+  /// Which of the eight balls from j on, as bits, are that near.
+  [[gnu::always_inline]] unsigned hits(std::size_t j, Short8 x, Short8 y, Short8 reach) const {
     const Short8 dx = load8(&x_[j]) - x;
     const Short8 dy = load8(&y_[j]) - y;
     const Short8 sum = load8(&reach_[j]) + reach;
     const Short8 negative = -sum;
-    return (dx > sum) | (dx < negative) | (dy > sum) | (dy < negative);
+    return ~bits((dx > sum) | (dx < negative) | (dy > sum) | (dy < negative)) & 0xffU;
   }
 
   const Balls* balls_ = nullptr;

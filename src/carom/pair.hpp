@@ -16,20 +16,20 @@ inline constexpr double touching_factor = 1.02;
 /// Balls enlarged by this reach into an obstacle's box, enlarged too, when its cap supports them.
 inline constexpr double box_factor = 1.03;
 
-inline bool overlap(const Balls& balls, std::size_t i, std::size_t j) {
+[[gnu::always_inline]] inline bool overlap(const Balls& balls, std::size_t i, std::size_t j) {
   const double sum = balls.radius[i] + balls.radius[j];
   return length_squared(balls.position(j) - balls.position(i)) < sum * sum;
 }
 
-inline bool touch(const Balls& balls, std::size_t i, std::size_t j) {
+[[gnu::always_inline]] inline bool touch(const Balls& balls, std::size_t i, std::size_t j) {
   const double reach = touching_factor * (balls.radius[i] + balls.radius[j]);
   const double squared = length_squared(balls.position(j) - balls.position(i));
   // The root is rounded, so it decides where the squares are equal to within rounding; elsewhere
   // they tell the same without it.
   const double reach_squared = reach * reach;
-  if (squared > reach_squared * (1 + 1e-12)) return false;
-  if (squared < reach_squared * (1 - 1e-12)) return true;
-  return std::sqrt(squared) <= reach;
+  const bool near = squared <= reach_squared * (1 + 1e-12);
+  if (near & (squared >= reach_squared * (1 - 1e-12))) return std::sqrt(squared) <= reach;
+  return near;
 }
 
 }  // namespace carom

@@ -26,6 +26,15 @@ void sort_unique(std::vector<Item>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
+double largest_of(std::span<const double> numbers) {
+  Double2 most{0, 0};
+  std::size_t i = 0;
+  for (; i + 2 <= numbers.size(); i += 2) most = max2(most, load2(&numbers[i]));
+  double largest = std::max(most[0], most[1]);
+  for (; i < numbers.size(); ++i) largest = std::max(largest, numbers[i]);
+  return largest;
+}
+
 }  // namespace
 
 void Quadtree::build(std::span<const double> x, std::span<const double> y,
@@ -53,6 +62,7 @@ void Quadtree::build(std::span<const double> x, std::span<const double> y,
   for (std::size_t slot = size(); slot < size() + padding; ++slot) {
     slot_x_[slot] = slot_y_[slot] = 1e18F;
     slot_radius_[slot] = 0;
+    slot_disc_[slot] = 0;
   }
 }
 
@@ -85,8 +95,7 @@ void Quadtree::shape() {
   for (std::size_t depth = 1; depth < max_depths; ++depth) sides[depth] = sides[depth - 1] / 2;
   for (std::size_t i = 0; i < size(); ++i) {
     const std::size_t depth = depth_of(radius_[i]);
-    const std::int64_t column = coordinate(x_[i], 1 / sides[depth]);
-    const std::int64_t row = coordinate(y_[i], 1 / sides[depth]);
+    const auto [column, row] = place({.per_side = 1 / sides[depth]}, x_[i], y_[i]);
     Extent& extent = extents[depth];
     ++extent.discs;
     extent.left = std::min(extent.left, column);
@@ -136,17 +145,31 @@ void Quadtree::sort_into_squares() {
   std::fill(starts_.begin(), starts_.end(), 0U);
   for (Level& level : levels_) level.largest = 0;
   if (levels_.size() == 1) {
-    place_discs([](std::size_t) { return 0; });
+    place_discs([](std::size_t) { return std::size_t{0}; });
   } else {
     level_.resize(size());
     for (std::size_t i = 0; i < size(); ++i) level_[i] = level_at_depth_[depth_of(radius_[i])];
-    place_discs([this](std::size_t i) { return level_[i]; });
+    place_discs([this](std::size_t i) { return std::size_t{level_[i]}; });
   }
   for (Level& level : levels_) {
     level.begin = starts_[level.first_cell];
     level.end = starts_[level.first_cell + level.mask + 1];
     level.slack = 0;
   }
+}
+
+// The squares of all discs when there is one level, two at a time; as cell() and place() say.
+void Quadtree::squares_of_two(const Level& level) {
+  const std::size_t n = size();
+  std::size_t i = 0;
+  for (; i + 2 <= n; i += 2) {
+    const Long2 columns = coordinates(load2(&x_[i]), level.per_side);
+    const Long2 rows = coordinates(load2(&y_[i]), level.per_side);
+    const Long2 squares = (multiply_low(rows, level.stride) + columns) & std::int64_t{level.mask};
+    cell_[i] = static_cast<std::uint32_t>(squares[0]);
+    cell_[i + 1] = static_cast<std::uint32_t>(squares[1]);
+  }
+  for (; i < n; ++i) cell_[i] = cell(level, place(level, x_[i], y_[i]));
 }
 
 // A counting sort. Discs of a square keep the order of their indices.
@@ -162,11 +185,19 @@ void Quadtree::place_discs(LevelOf level_of) {
   std::uint32_t* const starts = starts_.data();
   std::uint32_t* const square_of = cell_.data();
 
-  for (std::size_t i = 0; i < n; ++i) {
-    const Level& level = levels[level_of(i)];
-    square_of[i] = level.first_cell +
-                   cell(level, coordinate(x[i], level.per_side), coordinate(y[i], level.per_side));
+  if (levels_.size() == 1) {
+    squares_of_two(levels[0]);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) {
+      const Level& level = levels[level_of(i)];
+      square_of[i] = level.first_cell + cell(level, place(level, x[i], y[i]));
+    }
   }
+  if (levels_.size() == 1)
+    levels_[0].largest = largest_of(radius_);
+  else
+    for (std::size_t i = 0; i < n; ++i)
+      levels_[level_of(i)].largest = std::max(levels_[level_of(i)].largest, radius[i]);
   // Counts are kept two places further on, …
   for (std::size_t i = 0; i < n; ++i) ++starts[square_of[i] + 2];
   std::uint32_t sum = 0;
@@ -175,29 +206,33 @@ void Quadtree::place_discs(LevelOf level_of) {
     start = sum;
   }
   // … so that the entry behind a square's own is where its next disc goes, and ends as the start of
-  // the next square.
-  for (std::size_t i = 0; i < n; ++i) {
-    Level& level = levels[level_of(i)];
+  // the next square. Two discs at a time are rounded.
+  const auto put = [&](std::size_t i, QuadtreeSearch::Rounded rounded)
+      __attribute__((always_inline)) {
+    const Level& level = levels[level_of(i)];
     const std::uint32_t slot = starts[square_of[i] + 1]++;
-    const auto rounded = QuadtreeSearch::rounded(x[i], y[i], radius[i]);
     slot_x_[slot] = rounded.x;
     slot_y_[slot] = rounded.y;
     slot_radius_[slot] = rounded.radius;
     slot_disc_[slot] = static_cast<std::uint32_t>(i);
     slot_cell_[slot] = square_of[i] - level.first_cell;
     slot_[i] = slot;
-    level.largest = level.largest < radius[i] ? radius[i] : level.largest;
+  };
+  std::size_t i = 0;
+  for (; i + 2 <= n; i += 2) {
+    const auto two = QuadtreeSearch::rounded2(load2(x + i), load2(y + i), load2(radius + i));
+    put(i, two[0]);
+    put(i + 1, two[1]);
   }
-  for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].largest = levels[l].largest;
+  for (; i < n; ++i) put(i, QuadtreeSearch::rounded(x[i], y[i], radius[i]));
 }
 
 void Quadtree::moved(std::size_t i) {
   set_slot(slot_[i], i);
   Level& level = levels_[levels_.size() == 1 ? 0 : level_[i]];
-  const std::int64_t column = coordinate(x_[i], level.per_side);
-  const std::int64_t row = coordinate(y_[i], level.per_side);
+  const auto [column, row] = place(level, x_[i], y_[i]);
   const std::uint32_t home = cell_[i] - level.first_cell;
-  if (cell(level, column, row) == home) return;
+  if (cell(level, {column, row}) == home) return;
   // It stays listed in its old square. If that is a neighbour of the new one, searches are widened
   // by what it is outside of it.
   const auto outside = [&](double position, std::int64_t coordinate, int direction) {
@@ -207,7 +242,7 @@ void Quadtree::moved(std::size_t i) {
   };
   for (const int up : {-1, 0, 1})
     for (const int right : {-1, 0, 1})
-      if (cell(level, column + right, row + up) == home) {
+      if (cell(level, {column + right, row + up}) == home) {
         const double out = std::max(outside(x_[i], column, right), outside(y_[i], row, up));
         if (!(out <= level.side)) continue;
         level.slack = std::max(level.slack, out + level.side * 1e-6);
@@ -221,25 +256,21 @@ void Quadtree::moved(std::size_t i) {
 
 void Quadtree::query_disc(Vec2 centre, double radius, std::vector<std::uint32_t>& found) const {
   found.clear();
-  IndexList candidates;
-  QuadtreeSearch(*this).near(centre.x, centre.y, radius, 1, candidates);
-  for (const std::uint32_t i : candidates) {
+  QuadtreeSearch(*this).near(centre.x, centre.y, radius, 1, [&](std::uint32_t i) {
     const double sum = radius_[i] + radius;
     if (length_squared(Vec2{x_[i], y_[i]} - centre) < sum * sum) found.push_back(i);
-  }
+  });
   sort_unique(found);
 }
 
 void Quadtree::query_box(Vec2 low, Vec2 high, std::vector<std::uint32_t>& found) const {
   found.clear();
-  IndexList candidates;
-  QuadtreeSearch(*this).box(low, high, 1, candidates);
-  for (const std::uint32_t i : candidates) {
+  QuadtreeSearch(*this).box(low, high, 1, [&](std::uint32_t i) {
     const Vec2 centre{x_[i], y_[i]};
     const Vec2 nearest{std::min(std::max(centre.x, low.x), high.x),
                        std::min(std::max(centre.y, low.y), high.y)};
     if (length_squared(centre - nearest) <= radius_[i] * radius_[i]) found.push_back(i);
-  }
+  });
   sort_unique(found);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -54,6 +55,14 @@ class Stepper {
     remove();
   }
 
+  // Runs action(begin, end) on all of [0, size).
+  template <class Action>
+  void run_parts(std::size_t size, Action action) {
+    action(std::size_t{0}, size);
+  }
+
+  static constexpr std::size_t few_balls = PackedIndex::max_balls;
+
   std::size_t first_in_play() const { return lead_out_ ? 1 : 0; }
 
   // Enough parts that no ball moves further than its radius in one (§1.2.1, erratum E2).
@@ -83,24 +92,25 @@ class Stepper {
     return i < n && too_fast(balls_.vx[i], balls_.vy[i], balls_.radius[i]);
   }
 
-  // Stage 1 (§1.2.1, erratum E1).
+  // Stage 1 (§1.2.1, erratum E1). Two balls at a time: each lane is rounded as a single number is.
   void move(double h, double friction) {
-    const std::size_t n = balls_.size();
-    double* __restrict x = balls_.x.data();
-    double* __restrict y = balls_.y.data();
-    double* __restrict vx = balls_.vx.data();
-    double* __restrict vy = balls_.vy.data();
-    double* __restrict ax = balls_.ax.data();
-    double* __restrict ay = balls_.ay.data();
-    const double gravity = scene_.gravity;
-    for (std::size_t i = first_in_play(); i < n; ++i) {
-      x[i] += vx[i] * h;
-      y[i] += vy[i] * h;
-      vx[i] = vx[i] * friction + ax[i] * h;
-      vy[i] = vy[i] * friction + ay[i] * h;
-      ax[i] = 0;
-      ay[i] = -gravity;
-    }
+    run_parts(balls_.size(), [&](std::size_t begin, std::size_t end) {
+      std::size_t i = std::max(begin, first_in_play());
+      for (; i + 2 <= end; i += 2) move<Double2>(i, h, friction);
+      for (; i < end; ++i) move<double>(i, h, friction);
+    });
+  }
+
+  template <class Numbers>
+  void move(std::size_t i, double h, double friction) {
+    const auto along = [&](double* position, double* velocity, double* acceleration, double next) {
+      const Numbers v = load<Numbers>(velocity + i);
+      store(position + i, load<Numbers>(position + i) + v * h);
+      store(velocity + i, v * friction + load<Numbers>(acceleration + i) * h);
+      store(acceleration + i, all_lanes<Numbers>(next));
+    };
+    along(balls_.x.data(), balls_.vx.data(), balls_.ax.data(), 0);
+    along(balls_.y.data(), balls_.vy.data(), balls_.ay.data(), -scene_.gravity);
   }
 
   // Stage 2: what overlaps collides at once, so later pairs see the moved balls.
@@ -230,9 +240,14 @@ class Stepper {
     balls_.set_acceleration(i, a - std::min(dot(a, u), 0.0) * u);
   }
 
-  // Stage 4 (§1.2.5).
+  // Stage 4 (§1.2.5). A few balls are first compared with a part of the table that has no hole.
   template <class Pairs>
   void holes(Pairs& pairs) {
+    if (scene_.holes.empty()) return;
+    if (balls_.size() <= few_balls) {
+      few_near_holes();
+      return;
+    }
     for (std::size_t n = 0; n < scene_.holes.size(); ++n) {
       const Vec2 centre = scene_.holes[n].position;
       const Vec2 reach{scene_.holes[n].radius, scene_.holes[n].radius};
@@ -242,9 +257,29 @@ class Stepper {
     }
   }
 
+  void few_near_holes() {
+    if (!workspace_.hole_free) workspace_.hole_free = hole_free_box(scene_);
+    const Box& free = *workspace_.hole_free;
+    const auto outside = [&](auto x, auto y) {
+      return (x <= free.low.x) | (x >= free.high.x) | (y <= free.low.y) | (y >= free.high.y);
+    };
+    std::array<std::size_t, few_balls> near;
+    std::size_t count = 0;
+    std::size_t i = 0;
+    for (; i + 2 <= balls_.size(); i += 2)
+      for_each_bit(bits(std::bit_cast<Long2>(outside(load2(&balls_.x[i]), load2(&balls_.y[i])))),
+                   [&](std::uint32_t lane) { near[count++] = i + lane; });
+    if (i < balls_.size() && outside(balls_.x[i], balls_.y[i])) near[count++] = i;
+    for (std::size_t n = 0; n < scene_.holes.size(); ++n)
+      for (std::size_t k = 0; k < count; ++k)
+        if (!gone_[near[k]]) hole(n, near[k]);
+  }
+
   void hole(std::size_t n, std::size_t i) {
     const Hole& hole = scene_.holes[n];
     const Vec2 inwards = hole.position - balls_.position(i);
+    // Most are further away by more than what rounding may hide.
+    if (length_squared(inwards) > hole.radius * hole.radius * (1 + 1e-12)) return;
     const double distance = length(inwards);
     if (distance >= hole.radius) return;
     const double radius = balls_.radius[i];

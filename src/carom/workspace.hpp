@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "carom/packed_index.hpp"
@@ -9,9 +10,18 @@
 
 namespace carom {
 
+struct Box {
+  Vec2 low;
+  Vec2 high;
+};
+
+/// A large part of the play area in which no ball's centre is in a hole.
+Box hole_free_box(const Scene& scene);
+
 /// What World::step keeps from call to call to save allocations. No part of the state.
 struct Workspace {
   std::vector<std::uint8_t> gone;  ///< by index: went out of play in this sub-step
+  std::optional<Box> hole_free;
   PackedIndex packed;
   QuadtreeIndex tree;
   RowPairsBuffers rows;
