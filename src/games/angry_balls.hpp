@@ -30,10 +30,13 @@ enum class Phase : std::uint8_t {
 /// Throws the projectile. `drag` (px): from the first click to the second (launch_velocity).
 struct Throw {
   carom::Vec2 drag;
+  friend bool operator==(const Throw&, const Throw&) = default;
 };
 /// Ends the turn. The projectile is back at the launch place, or the level lost after the last
 /// throw.
-struct Next {};
+struct Next {
+  friend bool operator==(const Next&, const Next&) = default;
+};
 /// The level from its start, at any time.
 struct Restart {};
 using Command = std::variant<Throw, Next, Restart>;

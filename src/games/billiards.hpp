@@ -40,10 +40,12 @@ enum class Phase : std::uint8_t {
 /// Launches the cue ball. `drag` (px): from the first click to the second (launch_velocity).
 struct Shoot {
   carom::Vec2 drag;
+  friend bool operator==(const Shoot&, const Shoot&) = default;
 };
 /// Puts the cue ball in hand down. `position`: px.
 struct Place {
   carom::Vec2 position;
+  friend bool operator==(const Place&, const Place&) = default;
 };
 /// A new game, at any time.
 struct Restart {};

@@ -3,7 +3,9 @@
 
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
+#include "tool/replay.hpp"
 #include "tool/simulate.hpp"
+#include "tool/soak.hpp"
 
 int main(int argc, char** argv) {
   CLI::App carom{"A deterministic 2D ball-physics engine on the command line.", "carom"};
@@ -16,6 +18,8 @@ int main(int argc, char** argv) {
   int status = tool::done;
   tool::add_simulate(carom, status);
   tool::add_check(carom, status);
+  tool::add_replay(carom, status);
+  tool::add_soak(carom, status);
   try {
     carom.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs shipped and random scenes through `carom simulate` and through the engine as other compilers
+"""Runs shipped and random scenes through `carom simulate` and through golden_hashes as other compilers
 built it; every step's hash must be the same."""
 
 import json
@@ -35,11 +35,11 @@ def main():
         expected = [json.loads(line)["hash"] for line in trace.splitlines()[1:]]
         different_hashes.update(expected)
         for variant in variants:
-            actual = output([variant, str(STEPS)], scene).split()
+            actual = output([variant, "--steps", str(STEPS)], scene).split()
             if actual != expected:
                 step = next(n for n, pair in enumerate(zip(expected, actual), 1)
                             if pair[0] != pair[1])
-                sys.exit(f"{name}: {pathlib.Path(variant).name} differs at step {step}")
+                sys.exit(f"{name}: {pathlib.Path(variant).parent.name} differs at step {step}")
     if len(different_hashes) < 1000 or not variants:
         sys.exit("nothing moved in these scenes: the comparison shows nothing")
     print(f"{len(scenes)} scenes, {len(variants)} other builds, {STEPS} steps: the same hashes")

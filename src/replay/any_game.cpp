@@ -1,0 +1,61 @@
+#include "replay/any_game.hpp"
+
+#include <type_traits>
+#include <utility>
+
+namespace replay {
+
+namespace angry_balls = games::angry_balls;
+namespace billiards = games::billiards;
+
+carom::Result<AnyGame> start(const Replay& replay) {
+  if (!replay.level) return AnyGame(billiards::Game());
+  auto game = angry_balls::Game::create(*replay.level);
+  if (!game) return game.errors();
+  return AnyGame(std::move(game).value());
+}
+
+carom::Status apply_command(AnyGame& game, const Command& command) {
+  return std::visit(
+      [](auto& played, const auto& given) -> carom::Status {
+        using Game = std::decay_t<decltype(played)>;
+        using Given = std::decay_t<decltype(given)>;
+        constexpr bool of_billiards =
+            std::is_same_v<Given, billiards::Shoot> || std::is_same_v<Given, billiards::Place>;
+        if constexpr (of_billiards == std::is_same_v<Game, billiards::Game>)
+          return played.apply(given);
+        else
+          return carom::Error{.pointer = "command",
+                              .problem = "is one of the other game",
+                              .expected = "a command of the game that is played"};
+      },
+      game, command);
+}
+
+void step(AnyGame& game) {
+  std::visit([](auto& played) { played.step(); }, game);
+}
+
+const carom::World& world(const AnyGame& game) {
+  return std::visit([](const auto& played) -> const carom::World& { return played.world(); }, game);
+}
+
+bool moves(const billiards::Game& game) { return game.phase() == billiards::Phase::roll; }
+
+bool moves(const angry_balls::Game& game) {
+  return game.phase() == angry_balls::Phase::fly || game.phase() == angry_balls::Phase::offer;
+}
+
+bool moves(const AnyGame& game) {
+  return std::visit([](const auto& played) { return moves(played); }, game);
+}
+
+std::array<int, 2> score(const billiards::Game& game) { return {game.score(0), game.score(1)}; }
+
+std::array<int, 2> score(const angry_balls::Game& game) { return {game.score(), 0}; }
+
+std::array<int, 2> score(const AnyGame& game) {
+  return std::visit([](const auto& played) { return score(played); }, game);
+}
+
+}  // namespace replay

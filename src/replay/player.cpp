@@ -1,0 +1,235 @@
+#include "replay/player.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "carom/trace.hpp"
+#include "replay/written_forms.hpp"
+
+namespace replay {
+
+namespace {
+
+// The snapshots may hold this many balls, holes and obstacles in all, some two hundred bytes each.
+// From where that is used up on, seeking plays on from the last snapshot.
+constexpr std::size_t max_kept_things = 200'000;
+
+std::size_t things(const carom::World& world) {
+  return world.size() + world.scene().holes.size() + world.scene().obstacles.size();
+}
+
+// Known from the commands alone: all but a shot after a placement, and Next, begin a turn.
+std::vector<Turn> turns_of(const std::vector<Move>& moves) {
+  std::vector<Turn> turns;
+  std::uint64_t step = 0;
+  const Command* before = nullptr;
+  for (const Move& move : moves) {
+    const bool goes_on = std::holds_alternative<games::angry_balls::Next>(move.command) ||
+                         (before && std::holds_alternative<games::billiards::Place>(*before) &&
+                          std::holds_alternative<games::billiards::Shoot>(move.command));
+    if (!goes_on || turns.empty())
+      turns.push_back(
+          {.first_move = static_cast<std::size_t>(&move - moves.data()), .first_step = step});
+    turns.back().steps += move.steps;
+    step += move.steps;
+    before = &move.command;
+  }
+  return turns;
+}
+
+int points(std::array<int, 2> score) { return score[0] + score[1]; }
+
+std::string score_text(std::array<int, 2> score, Kind kind) {
+  std::string text = "score " + std::to_string(score[0]);
+  if (kind == Kind::billiards) text += " : " + std::to_string(score[1]);
+  return text;
+}
+
+}  // namespace
+
+std::string to_string(const Divergence& divergence, std::size_t turns) {
+  std::string text = "diverged in turn " + std::to_string(divergence.turn + 1);
+  if (turns > 0) text += " of " + std::to_string(turns);
+  if (divergence.first_step == divergence.last_step)
+    text += " at step " + std::to_string(divergence.last_step);
+  else
+    text += ", steps " + std::to_string(divergence.first_step) + " to " +
+            std::to_string(divergence.last_step);
+  return text + ": expected " + divergence.expected + ", got " + divergence.got;
+}
+
+carom::Result<Player> Player::create(Replay replay) {
+  carom::Errors errors = check(replay);
+  if (!errors.empty()) return errors;
+  auto game = start(replay);
+  if (!game) return game.errors();
+  return Player(std::move(replay), std::move(game).value());
+}
+
+Player::Player(Replay replay, AnyGame game)
+    : replay_(std::move(replay)),
+      turns_(turns_of(replay_.moves)),
+      shown_{.game = game},
+      ahead_{.game = std::move(game)} {
+  kept_.push_back(shown_);
+  if (replay_.moves.empty()) compare();
+}
+
+bool Player::at_end(const Moment& moment) const {
+  return moment.steps_due == 0 && moment.move == replay_.moves.size();
+}
+
+std::size_t Player::turn() const {
+  const bool between = shown_.steps_due == 0 && !at_end(shown_);
+  const std::size_t move = between ? shown_.move : std::max(shown_.move, std::size_t{1}) - 1;
+  const auto next = std::ranges::upper_bound(turns_, move, {}, &Turn::first_move);
+  return static_cast<std::size_t>(std::max(next - turns_.begin(), std::ptrdiff_t{1})) - 1;
+}
+
+bool Player::step() {
+  bool changed = false;
+  for (bool stepped = false; !stepped;) {
+    if (shown_.time() == ahead_.time() && !advance_ahead() && shown_.time() == ahead_.time())
+      return changed;
+    stepped = shown_.steps_due > 0;
+    advance_shown();
+    changed = true;
+  }
+  return changed;
+}
+
+bool Player::seek(std::size_t turn) {
+  if (turn > turns_.size()) return false;
+  if (turn == turns_.size()) {
+    while (advance_ahead()) {
+    }
+    shown_ = ahead_;
+    return true;
+  }
+  while (reached_turns_ <= turn)
+    if (!advance_ahead()) return false;
+  shown_ = kept_[std::min(turn, kept_.size() - 1)];
+  const std::uint64_t time = turns_[turn].first_move + turns_[turn].first_step;
+  while (shown_.time() < time) advance_shown();
+  return true;
+}
+
+bool Player::look_ahead(std::uint64_t steps) {
+  for (std::uint64_t n = 0; n < steps; ++n)
+    if (!advance_ahead()) return false;
+  return true;
+}
+
+// False when there is nothing to do any more, or the game has just diverged.
+bool Player::advance_ahead() {
+  Moment& moment = ahead_;
+  if (divergence_ || at_end(moment)) return false;
+  if (moment.steps_due == 0) {
+    const Move& move = replay_.moves[moment.move];
+    if (reached_turns_ < turns_.size() && turns_[reached_turns_].first_move == moment.move)
+      begin_turn();
+    if (const carom::Status applied = apply_command(moment.game, move.command); !applied) {
+      diverge('"' + std::string(command_names[move.command.index()].name) + '"',
+              "its refusal: " + carom::to_string(applied.errors().front()));
+      return false;
+    }
+    ++moment.move;
+    moment.steps_due = move.steps;
+  } else {
+    if (!moves(moment.game)) {
+      diverge(std::to_string(moment.steps_due) + " more steps of this turn",
+              "a game that stands still");
+      return false;
+    }
+    replay::step(moment.game);
+    ++moment.step;
+    --moment.steps_due;
+  }
+  Turn& turn = turns_[reached_turns_ - 1];
+  const int before = reached_turns_ > 1 ? points(turns_[reached_turns_ - 2].score) : 0;
+  turn.score = score(moment.game);
+  turn.points = points(turn.score) - before;
+  if (moment.steps_due == 0) compare();
+  return !divergence_;
+}
+
+// What advance_ahead() has found possible.
+void Player::advance_shown() {
+  if (shown_.steps_due == 0) {
+    const Move& move = replay_.moves[shown_.move];
+    static_cast<void>(apply_command(shown_.game, move.command));
+    ++shown_.move;
+    shown_.steps_due = move.steps;
+  } else {
+    replay::step(shown_.game);
+    ++shown_.step;
+    --shown_.steps_due;
+  }
+}
+
+void Player::begin_turn() {
+  if (const auto* game = std::get_if<games::billiards::Game>(&ahead_.game))
+    turns_[reached_turns_].player = game->player();
+  if (reached_turns_ == kept_.size() && kept_things_ <= max_kept_things) {
+    kept_.push_back(ahead_);
+    kept_things_ += things(world(ahead_.game));
+  }
+  ++reached_turns_;
+}
+
+// What is known at the end of a move: the hash, at the end of the game the score too.
+void Player::compare() {
+  const Moment& moment = ahead_;
+  if (moment.move > 0) {
+    const std::size_t move = moment.move - 1;
+    const bool is_short = replay_.short_hashes && moment.move < replay_.moves.size();
+    const std::uint64_t mask = is_short ? short_hash_mask : ~std::uint64_t{0};
+    const std::uint64_t expected = replay_.moves[move].hash & mask;
+    const std::uint64_t got = world(moment.game).state_hash() & mask;
+    if (expected != got) {
+      const auto text = [&](std::uint64_t hash) {
+        return "hash " + std::string(is_short ? "…" : "") +
+               carom::hash_text(hash).substr(is_short ? 14 : 0);
+      };
+      return diverge(text(expected), text(got));
+    }
+  }
+  const std::array<int, 2> points_made = score(moment.game);
+  if (at_end(moment) && points_made != replay_.score)
+    return diverge(score_text(replay_.score, replay_.kind()),
+                   score_text(points_made, replay_.kind()));
+  right_step_ = moment.step;
+}
+
+void Player::diverge(std::string expected, std::string got) {
+  divergence_ = {.turn = reached_turns_ > 0 ? reached_turns_ - 1 : 0,
+                 .first_step = right_step_,
+                 .last_step = ahead_.step,
+                 .expected = std::move(expected),
+                 .got = std::move(got)};
+}
+
+carom::Result<Player> verify(Replay replay) {
+  auto player = Player::create(std::move(replay));
+  if (player) player.value().look_ahead(max_moves + max_steps);
+  return player;
+}
+
+carom::Result<Replay> with_full_hashes(Replay replay) {
+  const auto player = verify(replay);
+  if (!player) return player.errors();
+  if (player.value().divergence())
+    return carom::Error{.problem =
+                            to_string(*player.value().divergence(), player.value().turns().size())};
+  if (!replay.short_hashes) return replay;
+  AnyGame game = start(replay).value();
+  for (Move& move : replay.moves) {
+    static_cast<void>(apply_command(game, move.command));
+    for (std::uint64_t n = 0; n < move.steps; ++n) step(game);
+    move.hash = world(game).state_hash();
+  }
+  replay.short_hashes = false;
+  return replay;
+}
+
+}  // namespace replay

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "carom/result.hpp"
+#include "carom/scene.hpp"
+#include "games/angry_balls.hpp"
+#include "games/billiards.hpp"
+
+/// Games written down as what the players did. The same start, the same commands and the same
+/// numbers of steps between them give the same game, bit by bit.
+namespace replay {
+
+/// A new number whenever a step gives other bits than before: no replay of the old number can be
+/// played any more. tests/replays holds replays that tell when this is due.
+inline constexpr int physics_version = 1;
+/// The same for the rules of both games (phases, points, when a turn ends).
+inline constexpr int rules_version = 1;
+
+// Limits of what is accepted; anything beyond is refused. They hold back what is no game, and what
+// would take hours to play.
+inline constexpr std::size_t max_bytes = 4 << 20;         ///< of a file or of an unpacked text
+inline constexpr std::size_t max_moves = 10'000;          ///< of a game
+inline constexpr std::uint64_t max_move_steps = 360'000;  ///< after one command: an hour
+inline constexpr std::uint64_t max_steps = 2'000'000;     ///< of a game: five and a half hours
+
+enum class Kind : std::uint8_t { billiards, angry_balls };
+
+/// What a player may do. A game that starts again is another replay.
+using Command = std::variant<games::billiards::Shoot, games::billiards::Place,
+                             games::angry_balls::Throw, games::angry_balls::Next>;
+
+/// A command and what came of it.
+struct Move {
+  Command command{};
+  /// Steps of the world after the command, until the next one was given or, for the last, until
+  /// the replay was taken. 0 for Place and Next, after which all stands still.
+  std::uint64_t steps = 0;
+  std::uint64_t hash = 0;  ///< World::state_hash() after these steps
+
+  friend bool operator==(const Move&, const Move&) = default;
+};
+
+/// A game from its start to its end, or to where it was left.
+struct Replay {
+  std::optional<carom::Scene> level{};  ///< Angry Balls: the level as at the start; none: billiards
+  std::vector<Move> moves{};            ///< in their order
+  /// Points at the end: of both players of billiards; in Angry Balls the second is 0.
+  std::array<int, 2> score{};
+  /// Every hash but the last move's is known by its lowest 8 bits only, the others being 0: so it
+  /// is read from a text. with_full_hashes() fills them in.
+  bool short_hashes = false;
+
+  Kind kind() const { return level ? Kind::angry_balls : Kind::billiards; }
+
+  friend bool operator==(const Replay&, const Replay&) = default;
+};
+
+/// The bits of a move's hash that a replay with short hashes knows.
+inline constexpr std::uint64_t short_hash_mask = 0xff;
+
+/// All that is wrong with a replay as data (pointers as in its file): a level that is none,
+/// commands of the other game, numbers that are not finite or negative, more than the limits allow.
+/// Empty when it is sound. Whether the game went that way only playing tells.
+carom::Errors check(const Replay& replay);
+
+}  // namespace replay

@@ -1,0 +1,233 @@
+#include "tool/replay.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "carom/trace.hpp"
+#include "files/files.hpp"
+#include "replay/player.hpp"
+#include "replay/replay_file.hpp"
+#include "replay/replay_text.hpp"
+#include "tool/exit_status.hpp"
+#include "tool/scene_input.hpp"
+
+namespace tool {
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct Options {
+  std::string file;
+  bool verify = false;
+  bool text = false;
+  bool json = false;
+  std::string trace;
+  std::string against;
+};
+
+std::string counted(std::uint64_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string score_text(const replay::Replay& replay, const std::array<int, 2>& score) {
+  std::string text = std::to_string(score[0]);
+  if (replay.kind() == replay::Kind::billiards) text += " : " + std::to_string(score[1]);
+  return text;
+}
+
+void print_turns(const replay::Player& player, std::FILE* out) {
+  const replay::Replay& replay = player.replay();
+  const bool billiards = replay.kind() == replay::Kind::billiards;
+  if (billiards)
+    std::fputs("turn  player  steps  points  score\n", out);
+  else
+    // In quotes: a name may contain anything.
+    std::fprintf(out, "%s\nturn  steps  points  score\n", Json(replay.level->name).dump().c_str());
+  for (std::size_t i = 0; i < player.reached_turns(); ++i) {
+    const replay::Turn& turn = player.turns()[i];
+    std::fprintf(out, "%4zu", i + 1);
+    if (billiards) std::fprintf(out, "  %6d", turn.player + 1);
+    std::fprintf(out, "  %5llu  %6d  %s\n", static_cast<unsigned long long>(turn.steps),
+                 turn.points, score_text(replay, turn.score).c_str());
+  }
+}
+
+// What differs between two lines of traces: "ball 12: expected …, got …".
+std::string difference(std::string_view expected_line, std::string_view got_line) {
+  const Json expected = Json::parse(expected_line, nullptr, false);
+  const Json got = Json::parse(got_line, nullptr, false);
+  if (!expected.is_object() || !expected.contains("balls") || !expected["balls"].is_array())
+    return "expected a line of a trace";
+  const auto with_id = [](const Json& step, const Json& id) {
+    for (const Json& ball : step["balls"])
+      if (ball.is_object() && ball.value("id", Json()) == id) return ball.dump();
+    return std::string("no such ball");
+  };
+  for (const Json* const step : {&expected, &got})
+    for (const Json& ball : (*step)["balls"]) {
+      const Json id = ball.is_object() ? ball.value("id", Json()) : Json();
+      const std::string theirs = with_id(expected, id);
+      const std::string ours = with_id(got, id);
+      if (theirs != ours)
+        return std::string("ball ").append(id.dump()).append(": expected ").append(theirs) +
+               ", got " + ours;
+    }
+  return "all balls agree, the order, the events or the hash do not";
+}
+
+// Calls f with every line of the game's trace, without the newline, until it returns false.
+template <class F>
+void for_each_trace_line(replay::Player player, F f) {
+  std::span<const carom::Event> events;
+  std::string line;
+  for (bool more = true; more;) {
+    line.clear();
+    carom::append_trace_line(line, replay::world(player.game()), events);
+    line.pop_back();
+    if (!f(player.steps(), std::string_view(line))) return;
+    // The last commands of a replay may have no step after them.
+    const std::uint64_t before = player.steps();
+    do more = player.step();
+    while (more && player.steps() == before);
+    events = std::visit([](const auto& game) { return game.physics_events(); }, player.game());
+  }
+}
+
+int write_trace(const replay::Player& player, const std::string& path) {
+  files::Writer trace(path);
+  for_each_trace_line(player, [&](std::uint64_t, std::string_view line) {
+    trace.write(line);
+    trace.write("\n");
+    return true;
+  });
+  const carom::Status written = trace.commit();
+  return written ? done : report(written.errors(), path);
+}
+
+// The turn, counted from 1, that a step belongs to.
+std::size_t turn_of(const replay::Player& player, std::uint64_t step) {
+  std::size_t turn = 1;
+  while (turn < player.turns().size() && player.turns()[turn].first_step < step) ++turn;
+  return turn;
+}
+
+// Step by step against the trace of the same game, played elsewhere.
+int compare_with_trace(const replay::Player& player, const std::string& path) {
+  const auto trace = files::read(path);
+  if (!trace) return report(trace.errors(), path);
+  std::string_view rest = trace.value();
+  std::string problem;
+  std::uint64_t at = 0;
+  for_each_trace_line(player, [&](std::uint64_t step, std::string_view line) {
+    const std::string_view expected = rest.substr(0, rest.find('\n'));
+    at = step;
+    if (rest.empty())
+      problem = "the trace ends here";
+    else if (expected != line)
+      problem = difference(expected, line);
+    rest.remove_prefix(std::min(expected.size() + 1, rest.size()));
+    return problem.empty();
+  });
+  if (problem.empty() && !rest.empty()) problem = "the trace goes on, the replay ends";
+  if (problem.empty()) return done;
+  std::fprintf(stderr, "diverged in turn %zu at step %llu, %s\n", turn_of(player, at),
+               static_cast<unsigned long long>(at), problem.c_str());
+  return wrong_input;
+}
+
+int convert(const replay::Replay& replay, const Options& options) {
+  if (options.text) {
+    std::printf("%s\n", replay::write_text(replay).c_str());
+    return done;
+  }
+  const auto full = replay::with_full_hashes(replay);
+  if (!full) return report(full.errors(), options.file);
+  std::fputs(replay::write_json(full.value()).c_str(), stdout);
+  return done;
+}
+
+int play(const Options& options) {
+  const auto bytes = files::read(options.file);
+  if (!bytes) return report(bytes.errors(), options.file);
+  auto read = replay::read_replay(bytes.value());
+  if (!read) return report(read.errors(), options.file);
+  if (options.text || options.json) return convert(read.value(), options);
+
+  const auto verified = replay::verify(std::move(read).value());
+  if (!verified) return report(verified.errors(), options.file);
+  const replay::Player& player = verified.value();
+  // A trace on standard output stays pure; the rest then goes to standard error.
+  std::FILE* out = options.trace == "-" ? stderr : stdout;
+  if (!options.verify) print_turns(player, out);
+  if (!options.trace.empty())
+    if (const int status = write_trace(player, options.trace); status != done) return status;
+  if (!options.against.empty())
+    if (const int status = compare_with_trace(player, options.against); status != done)
+      return status;
+  if (player.divergence()) {
+    std::fprintf(stderr, "%s\n",
+                 replay::to_string(*player.divergence(), player.turns().size()).c_str());
+    return wrong_input;
+  }
+  if (options.verify)
+    std::fprintf(out, "verified, %s, score %s\n", counted(player.turns().size(), "turn").c_str(),
+                 score_text(player.replay(), player.replay().score).c_str());
+  return done;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& carom, int& status) {
+  // Shared with the callback, which runs after this function has returned.
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = carom.add_subcommand("replay", "Play a recorded game and prove it.");
+  command
+      ->add_option("replay", options->file,
+                   "Replay file, JSON or the text for links; - is standard input")
+      ->required()
+      ->option_text("REPLAY");
+  CLI::Option* verify =
+      command->add_flag("--verify", options->verify,
+                        "Print only whether the game went as the replay says, or where not");
+  command
+      ->add_option("--trace", options->trace,
+                   "Write every step's balls and events as JSON Lines; - is standard output")
+      ->option_text("FILE");
+  command
+      ->add_option("--against", options->against,
+                   "Compare every step with a trace of the same game, written elsewhere, and name "
+                   "step and ball of the first difference")
+      ->option_text("TRACE");
+  CLI::Option* text = command->add_flag("--text", options->text,
+                                        "Only print the replay as text for links, unplayed");
+  CLI::Option* json = command->add_flag("--json", options->json, "Only print the replay as JSON");
+  for (CLI::Option* convert : {text, json})
+    for (const char* other : {"--verify", "--trace", "--against"})
+      convert->excludes(command->get_option(other));
+  text->excludes(json);
+  // Without the list of what excludes what.
+  for (CLI::Option* flag : {verify, text, json}) flag->option_text(" ");
+  command->footer(
+      "Prints every turn's steps, points and score. Steps count from the start of the game.\n"
+      "Exit status: 0 the game went as the replay says; 1 it did not, or a file is wrong or cannot "
+      "be\n"
+      "read or written; 2 wrong usage.\n\n"
+      "Examples:\n"
+      "  carom replay tests/replays/billiards-whole.json\n"
+      "  carom replay --verify tests/replays/billiards-whole.json\n"
+      "  carom replay --text tests/replays/billiards-whole.json | carom replay --verify -");
+  command->callback([options, &status] { status = play(*options); });
+}
+
+}  // namespace tool
