@@ -19,6 +19,8 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
+class Crew;
+
 /// A loose quadtree without pointers, for discs of any size anywhere in the plane (§1.3).
 ///
 /// The plane is divided into squares, each of which is divided into four, and so on; all squares of
@@ -70,6 +72,7 @@ class Quadtree {
   std::vector<Square> squares() const;
 
  private:
+  friend class QuadtreeIndex;
   friend class QuadtreeSearch;
   static constexpr std::size_t max_depths = 32;  ///< of levels, each with half the side
 
@@ -88,7 +91,7 @@ class Quadtree {
 
   void shape();
   void sort_into_squares();
-  void squares_of_two(const Level& level);
+  void squares_of_two(const Level& level, std::size_t begin, std::size_t end);
   template <class LevelOf>
   void place_discs(LevelOf level_of);
   void set_slot(std::uint32_t slot, std::size_t i);
@@ -101,6 +104,7 @@ class Quadtree {
   static Place place(const Level& level, double x, double y);
   static std::uint32_t cell(const Level& level, Place place);
 
+  Crew* crew_ = nullptr;  ///< helps to build, if there is one
   std::span<const double> x_;
   std::span<const double> y_;
   std::span<const double> radius_;

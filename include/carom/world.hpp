@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -17,7 +18,8 @@ namespace carom {
 inline constexpr double time_step = 0.01;     ///< s, dt (§1.2.1)
 inline constexpr int steps_per_second = 100;  ///< 1 / time_step
 inline constexpr double rest_speed = 30;      ///< px/s, vmin: slower counts as standing (§1.4.1)
-inline constexpr int max_sub_steps = 64;      ///< of one step, for fast balls (spec §2)
+inline constexpr int max_threads = 64;
+inline constexpr int max_sub_steps = 64;  ///< of one step, for fast balls (spec §2)
 
 /// How a world finds the pairs of balls that may collide. It changes the speed and nothing else.
 enum class BroadPhase : std::uint8_t {
@@ -80,6 +82,13 @@ class World {
   /// No part of the state: the same bits come out, sooner or later.
   void set_broad_phase(BroadPhase broad_phase) { broad_phase_ = broad_phase; }
 
+  /// How many threads step() may use, 1 (the default) to max_threads; other numbers are taken as
+  /// the nearest of these. With fewer than 20 000 balls it uses one. No part of the state: the same
+  /// bits come out with every number. Where threads cannot be had, there are fewer.
+  void set_threads(int threads) {
+    threads_ = static_cast<std::size_t>(std::clamp(threads, 1, max_threads));
+  }
+
   /// 64-bit FNV-1a over the canonical state: one byte (1: the lead is out of play), the number of
   /// balls in play as 64 bits, then in index order for each ball in play its id (32 bits), role
   /// (8 bits), position, velocity, acceleration, radius and solidity (64 bits each). Little-endian,
@@ -94,6 +103,7 @@ class World {
     WorkspaceOwner() = default;
     WorkspaceOwner(const WorkspaceOwner&) {}
     WorkspaceOwner(WorkspaceOwner&&) = default;
+    // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): nothing is assigned.
     WorkspaceOwner& operator=(const WorkspaceOwner&) { return *this; }
     WorkspaceOwner& operator=(WorkspaceOwner&&) = default;
     ~WorkspaceOwner() = default;
@@ -106,6 +116,7 @@ class World {
   std::uint64_t steps_ = 0;
   std::vector<Event> events_;
   BroadPhase broad_phase_ = BroadPhase::automatic;
+  std::size_t threads_ = 1;
   WorkspaceOwner owner_;
 
   friend class Stepper;

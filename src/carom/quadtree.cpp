@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "carom/crew.hpp"
 #include "carom/quadtree_search.hpp"
 
 namespace carom {
@@ -159,17 +160,16 @@ void Quadtree::sort_into_squares() {
 }
 
 // The squares of all discs when there is one level, two at a time; as cell() and place() say.
-void Quadtree::squares_of_two(const Level& level) {
-  const std::size_t n = size();
-  std::size_t i = 0;
-  for (; i + 2 <= n; i += 2) {
+void Quadtree::squares_of_two(const Level& level, std::size_t begin, std::size_t end) {
+  std::size_t i = begin;
+  for (; i + 2 <= end; i += 2) {
     const Long2 columns = coordinates(load2(&x_[i]), level.per_side);
     const Long2 rows = coordinates(load2(&y_[i]), level.per_side);
     const Long2 squares = (multiply_low(rows, level.stride) + columns) & std::int64_t{level.mask};
     cell_[i] = static_cast<std::uint32_t>(squares[0]);
     cell_[i + 1] = static_cast<std::uint32_t>(squares[1]);
   }
-  for (; i < n; ++i) cell_[i] = cell(level, place(level, x_[i], y_[i]));
+  for (; i < end; ++i) cell_[i] = cell(level, place(level, x_[i], y_[i]));
 }
 
 // A counting sort. Discs of a square keep the order of their indices.
@@ -186,7 +186,12 @@ void Quadtree::place_discs(LevelOf level_of) {
   std::uint32_t* const square_of = cell_.data();
 
   if (levels_.size() == 1) {
-    squares_of_two(levels[0]);
+    if (crew_ == nullptr)
+      squares_of_two(levels[0], 0, n);
+    else
+      crew_->share(n, [&](std::size_t, std::size_t begin, std::size_t end) {
+        squares_of_two(levels[0], begin, end);
+      });
   } else {
     for (std::size_t i = 0; i < n; ++i) {
       const Level& level = levels[level_of(i)];
@@ -218,13 +223,23 @@ void Quadtree::place_discs(LevelOf level_of) {
     slot_cell_[slot] = square_of[i] - level.first_cell;
     slot_[i] = slot;
   };
-  std::size_t i = 0;
-  for (; i + 2 <= n; i += 2) {
-    const auto two = QuadtreeSearch::rounded2(load2(x + i), load2(y + i), load2(radius + i));
-    put(i, two[0]);
-    put(i + 1, two[1]);
+  if (crew_ == nullptr) {
+    std::size_t i = 0;
+    for (; i + 2 <= n; i += 2) {
+      const auto two = QuadtreeSearch::rounded2(load2(x + i), load2(y + i), load2(radius + i));
+      put(i, two[0]);
+      put(i + 1, two[1]);
+    }
+    for (; i < n; ++i) put(i, QuadtreeSearch::rounded(x[i], y[i], radius[i]));
+    return;
   }
-  for (; i < n; ++i) put(i, QuadtreeSearch::rounded(x[i], y[i], radius[i]));
+  // Each thread fills its own squares, in the order of all discs: so every disc comes where one
+  // thread would have put it.
+  crew_->share(starts_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = 0; i < n; ++i)
+      if (square_of[i] >= begin && square_of[i] < end)
+        put(i, QuadtreeSearch::rounded(x[i], y[i], radius[i]));
+  });
 }
 
 void Quadtree::moved(std::size_t i) {

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "carom/balls.hpp"
+#include "carom/crew.hpp"
 #include "carom/quadtree.hpp"
 #include "carom/vectors.hpp"
 
@@ -141,15 +144,22 @@ class QuadtreeSearch {
   /// and perhaps for some that don't. Only after a build, before anything moved.
   template <class Hit>
   void pairs(Hit hit) const {
+    pairs(0, static_cast<std::uint32_t>(tree_.size()), hit);
+  }
+
+  /// The same for the pairs that are seen from the discs in slots [begin, end).
+  template <class Hit>
+  void pairs(std::uint32_t begin, std::uint32_t end, Hit& hit) const {
     for (std::size_t l = 0; l < tree_.levels_.size(); ++l) {
       const Quadtree::Level& level = tree_.levels_[l];
-      const bool narrow = 2.01 * level.largest <= level.side;
-      if (narrow)
-        pairs_within(level, hit);
+      const std::uint32_t from = std::max(begin, level.begin);
+      const std::uint32_t to = std::min(end, level.end);
+      if (2.01 * level.largest <= level.side)
+        pairs_within(level, from, to, hit);
       else
-        pairs_anyhow(level, level, hit);
+        pairs_anyhow(from, to, level, hit);
       for (std::size_t coarser = 0; coarser < l; ++coarser)
-        pairs_anyhow(level, tree_.levels_[coarser], hit);
+        pairs_anyhow(from, to, tree_.levels_[coarser], hit);
     }
   }
 
@@ -276,13 +286,14 @@ class QuadtreeSearch {
   // Half of the 3 × 3 squares around each: what is to the right in the disc's own square and in the
   // next, and the three above. The other half is seen from there.
   template <class Hit>
-  void pairs_within(const Quadtree::Level& level, Hit& hit) const {
+  void pairs_within(const Quadtree::Level& level, std::uint32_t from, std::uint32_t to,
+                    Hit& hit) const {
     const std::uint32_t* const starts = tree_.starts_.data() + level.first_cell;
     const std::uint32_t* const slot_cell = tree_.slot_cell_.data();
     const Slots slots(tree_);
     const std::uint32_t stride = level.stride;
     const std::uint32_t last_whole = level.mask - std::min(level.mask, stride + 1);
-    for (std::uint32_t p = level.begin; p < level.end; ++p) {
+    for (std::uint32_t p = from; p < to; ++p) {
       const std::uint32_t cell = slot_cell[p];
       if (cell > last_whole || stride >= level.mask) {  // the runs go over the table's end
         pairs_at_the_end(level, p, hit);
@@ -318,10 +329,11 @@ class QuadtreeSearch {
       overlaps(p, starts[other & level.mask], starts[(other & level.mask) + 1], hit);
   }
 
-  // Every disc of a level against those of another, or the same, that are near.
+  // The discs in some slots against those of a level, perhaps their own, that are near.
   template <class Hit>
-  void pairs_anyhow(const Quadtree::Level& level, const Quadtree::Level& others, Hit& hit) const {
-    for (std::uint32_t p = level.begin; p < level.end; ++p) {
+  void pairs_anyhow(std::uint32_t from, std::uint32_t to, const Quadtree::Level& others,
+                    Hit& hit) const {
+    for (std::uint32_t p = from; p < to; ++p) {
       const std::uint32_t i = tree_.slot_disc_[p];
       const double x = tree_.x_[i];
       const double y = tree_.y_[i];
@@ -366,9 +378,27 @@ class QuadtreeIndex {
  public:
   void build(const Balls& balls) { tree_.build(balls.x, balls.y, balls.radius); }
   void moved(std::size_t i) { tree_.moved(i); }
+  /// Threads that help, or none; must outlive this or be taken away.
+  void set_crew(Crew* crew) { tree_.crew_ = crew; }
+
   template <class Hit>
-  void pairs(Hit hit) const {
-    QuadtreeSearch(tree_).pairs(hit);
+  void pairs(Hit hit) {
+    const QuadtreeSearch search(tree_);
+    if (tree_.crew_ == nullptr) {
+      search.pairs(hit);
+      return;
+    }
+    // Each thread collects what it finds; which pairs there are does not depend on who found them,
+    // nor does what the caller makes of them depend on their order.
+    found_.resize(tree_.crew_->size());
+    tree_.crew_->share(tree_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      auto& found = found_[part];
+      found.clear();
+      auto collect = [&](std::uint32_t i, std::uint32_t j) { found.emplace_back(i, j); };
+      search.pairs(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), collect);
+    });
+    for (const auto& found : found_)
+      for (const auto& [i, j] : found) hit(i, j);
   }
   template <class Hit>
   void near(double x, double y, double own, float factor, Hit hit) const {
@@ -386,6 +416,7 @@ class QuadtreeIndex {
   }
 
  private:
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found_;  ///< by thread
   Quadtree tree_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "carom/all_pairs.hpp"
 #include "carom/balls.hpp"
+#include "carom/crew.hpp"
 #include "carom/row_pairs.hpp"
 #include "carom/vectors.hpp"
 #include "carom/workspace.hpp"
@@ -23,7 +24,9 @@ class Stepper {
         events_(world.events_),
         workspace_(*world.owner_.workspace),
         gone_(workspace_.gone),
-        broad_phase_(world.broad_phase_) {}
+        broad_phase_(world.broad_phase_) {
+    workspace_.set_threads(balls_.size() < many_balls ? 1 : world.threads_);
+  }
 
   void step() {
     const int k = sub_steps();
@@ -55,13 +58,19 @@ class Stepper {
     remove();
   }
 
-  // Runs action(begin, end) on all of [0, size).
+  // Runs action(begin, end) on all of [0, size), on several threads if there are.
   template <class Action>
   void run_parts(std::size_t size, Action action) {
-    action(std::size_t{0}, size);
+    if (workspace_.crew == nullptr)
+      action(std::size_t{0}, size);
+    else
+      workspace_.crew->share(
+          size, [&](std::size_t, std::size_t begin, std::size_t end) { action(begin, end); });
   }
 
   static constexpr std::size_t few_balls = PackedIndex::max_balls;
+  // With fewer, waking another thread takes longer than what it would do.
+  static constexpr std::size_t many_balls = 20'000;
 
   std::size_t first_in_play() const { return lead_out_ ? 1 : 0; }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "carom/crew.hpp"
 #include "carom/packed_index.hpp"
 #include "carom/quadtree_search.hpp"
 #include "carom/row_pairs.hpp"
@@ -25,6 +28,15 @@ struct Workspace {
   PackedIndex packed;
   QuadtreeIndex tree;
   RowPairsBuffers rows;
+  std::unique_ptr<Crew> crew;  ///< none: one thread
+  std::size_t threads_wanted = 1;
+
+  void set_threads(std::size_t threads) {
+    if (threads == threads_wanted) return;
+    threads_wanted = threads;
+    crew = threads > 1 ? std::make_unique<Crew>(threads) : nullptr;
+    tree.set_crew(crew.get());
+  }
 };
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "carom/event.hpp"
@@ -47,5 +48,67 @@ TEST_P(BroadPhases, GiveTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HundredThousand, BroadPhases, testing::Range<std::uint64_t>(0, 8));
+
+// Enough balls that threads are used, crowded, with all that a world can have, of about one size
+// and of many.
+carom::Scene many_balls(double smallest, double largest) {
+  random_worlds::Numbers n(7);
+  carom::Scene scene;
+  scene.width = 5000;
+  scene.height = 5000;
+  scene.gravity = 300;
+  scene.edges.left = carom::Edge::open;
+  scene.holes = {{{1000, 1000}, 200}, {{3000, 2500}, 300}};
+  scene.obstacles = {{2000, 2500, 60}, {4000, 1200, 100}};
+  const carom::Scene empty = scene;
+  while (scene.balls.size() < 24'000) {
+    carom::Ball ball;
+    ball.position = {n.between(100, 4900), n.between(100, 4900)};
+    ball.velocity = {n.between(-800, 800), n.between(-800, 800)};
+    ball.radius = n.one_in(50) ? n.between(smallest, largest) : n.between(smallest, 2 * smallest);
+    if (n.one_in(4)) ball.solidity = n.between(0, 20'000);
+    carom::Scene alone = empty;
+    alone.balls = {ball};
+    if (carom::check(alone).empty()) scene.balls.push_back(ball);
+  }
+  return scene;
+}
+
+TEST(Threads, GiveTheSameBits) {
+  for (const double largest : {18.0, 150.0}) {
+    const carom::Scene scene = many_balls(9, largest);
+    World one = worlds::make(scene);
+    std::vector<World> several;
+    for (const int threads : {2, 3, 4, 64}) {
+      several.push_back(one);
+      several.back().set_threads(threads);
+    }
+    for (int step = 1; step <= 4; ++step) {
+      const auto expected = one.step();
+      ASSERT_GT(expected.size(), 1000U);
+      for (World& world : several) {
+        ASSERT_TRUE(std::ranges::equal(world.step(), expected)) << step;
+        ASSERT_EQ(world.state_hash(), one.state_hash()) << step;
+      }
+    }
+  }
+}
+
+// Threads belong to one world each, whatever becomes of it.
+TEST(Threads, AreNotShared) {
+  World world = worlds::make(many_balls(9, 18));
+  world.set_threads(2);
+  world.step();
+  World copy = world;
+  World moved = std::move(world);
+  moved.step();
+  copy.step();
+  EXPECT_EQ(copy.state_hash(), moved.state_hash());
+  copy = moved;
+  moved.set_threads(1);
+  moved.step();
+  copy.step();
+  EXPECT_EQ(copy.state_hash(), moved.state_hash());
+}
 
 }  // namespace

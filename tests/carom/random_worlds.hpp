@@ -65,6 +65,7 @@ inline carom::Scene scene(std::uint64_t seed, std::size_t most) {
   const std::size_t count = 1 + n.below(most);
   const bool heaps = n.one_in(5);
   const bool crowd = n.one_in(3);
+  const carom::Scene empty = s;
   carom::Vec2 heap{n.between(0, s.width), n.between(0, s.height)};
   for (std::size_t tries = 0; s.balls.size() < count && tries < 4 * count; ++tries) {
     carom::Ball b;
@@ -82,7 +83,7 @@ inline carom::Scene scene(std::uint64_t seed, std::size_t most) {
     if (n.one_in(3)) b.solidity = n.between(0, 4000);
     if (s.balls.empty() && n.one_in(2)) b.role = carom::Role::cue;
     // What sticks out of a solid edge or into an obstacle would be refused.
-    carom::Scene alone = s;
+    carom::Scene alone = empty;
     alone.balls = {b};
     if (carom::check(alone).empty()) s.balls.push_back(b);
   }
