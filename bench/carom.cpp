@@ -36,10 +36,52 @@ class Carom final : public Simulator {
 
 }  // namespace
 
-std::unique_ptr<Simulator> make_carom(const carom::Scene& start, const Workload&) {
+namespace {
+
+carom::World world_of(const carom::Scene& start) {
   carom::Result<carom::World> world = carom::World::create(start);
   if (!world) throw std::runtime_error(carom::to_string(world.errors().front()));
-  return std::make_unique<Carom>(std::move(world).value());
+  return std::move(world).value();
+}
+
+template <int threads>
+std::unique_ptr<Simulator> with_threads(const carom::Scene& start) {
+  carom::World world = world_of(start);
+  world.set_threads(threads);
+  return std::make_unique<Carom>(std::move(world));
+}
+
+template <carom::BroadPhase broad_phase>
+std::unique_ptr<Simulator> with_broad_phase(const carom::Scene& start) {
+  carom::World world = world_of(start);
+  world.set_broad_phase(broad_phase);
+  return std::make_unique<Carom>(std::move(world));
+}
+
+}  // namespace
+
+std::unique_ptr<Simulator> make_carom(const carom::Scene& start, const Workload&) {
+  return std::make_unique<Carom>(world_of(start));
+}
+
+std::unique_ptr<Simulator> make_carom_pairs(const carom::Scene& start, const Workload&) {
+  return with_broad_phase<carom::BroadPhase::pairs>(start);
+}
+
+std::unique_ptr<Simulator> make_carom_quadtree(const carom::Scene& start, const Workload&) {
+  return with_broad_phase<carom::BroadPhase::quadtree>(start);
+}
+
+std::unique_ptr<Simulator> make_carom_1_thread(const carom::Scene& start, const Workload&) {
+  return with_threads<1>(start);
+}
+
+std::unique_ptr<Simulator> make_carom_2_threads(const carom::Scene& start, const Workload&) {
+  return with_threads<2>(start);
+}
+
+std::unique_ptr<Simulator> make_carom_4_threads(const carom::Scene& start, const Workload&) {
+  return with_threads<4>(start);
 }
 
 }  // namespace bench

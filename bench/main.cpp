@@ -26,6 +26,7 @@ struct Contestant {
   MakeSimulator* make;
   int most_balls = std::numeric_limits<int>::max();  ///< with more a run would take too long
   bool several_threads = false;                      ///< timed by the clock on the wall
+  int least_balls = 0;
 };
 
 /// Everybody measured, one after the other in each workload. A way to run our engine (a number of
@@ -35,6 +36,11 @@ const std::vector<Contestant>& contestants() {
   static const std::vector<Contestant> all = {
       {"carom", make_carom},  // as every user gets it
       // report.py calls the faster of these two Chipmunk.
+      {"carom-pairs", make_carom_pairs, 1000},
+      {"carom-quadtree", make_carom_quadtree, 100},  // above it is what everybody gets
+      {"carom-1-thread", make_carom_1_thread, std::numeric_limits<int>::max(), true, 100'000},
+      {"carom-2-threads", make_carom_2_threads, std::numeric_limits<int>::max(), true, 100'000},
+      {"carom-4-threads", make_carom_4_threads, std::numeric_limits<int>::max(), true, 100'000},
       {"chipmunk-tree", make_chipmunk_tree, 100'000},
       {"chipmunk-hash", make_chipmunk_hash},
       {"box2d", make_box2d, 100'000},
@@ -44,7 +50,7 @@ const std::vector<Contestant>& contestants() {
 }
 
 bool takes_part(const Contestant& contestant, const Workload& load) {
-  if (load.balls > contestant.most_balls) return false;
+  if (load.balls > contestant.most_balls || load.balls < contestant.least_balls) return false;
   const bool ours = contestant.name.starts_with("carom");
   if (load.has_holes) return ours;
   return contestant.name != "streaming" || load.scene != "TABLE";

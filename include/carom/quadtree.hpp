@@ -16,7 +16,10 @@ struct Pair {
   std::size_t first = 0;
   std::size_t second = 0;
 
-  friend auto operator<=>(const Pair&, const Pair&) = default;
+  friend constexpr bool operator==(const Pair&, const Pair&) = default;
+  friend constexpr bool operator<(const Pair& a, const Pair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  }
 };
 
 class Crew;
@@ -65,10 +68,11 @@ class Quadtree {
   struct Square {
     Vec2 low;     ///< px, its lower left corner
     double side;  ///< px
-    int level;    ///< 0: the coarsest
+    int level;    ///< 0: the coarsest; those of the next have half the side
     friend bool operator==(const Square&, const Square&) = default;
   };
-  /// Each once, by level, then row by row from below.
+  /// Each once, by level, then row by row from below. O(n log n). A centre on a boundary may count
+  /// to either side; those beyond 2⁵⁰ sides from the origin are shown there.
   std::vector<Square> squares() const;
 
  private:

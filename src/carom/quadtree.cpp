@@ -52,6 +52,11 @@ void Quadtree::build(std::span<const double> x, std::span<const double> y,
     slot_cell_.resize(size() + padding);
     slot_.resize(size());
     cell_.resize(size());
+    // As much as other discs could need: a table has less than four squares a disc, or 16.
+    level_.reserve(size());
+    levels_.reserve(max_depths);
+    starts_.reserve(4 * size() + 16 * max_depths + 2);
+    strays_.reserve(max_strays);
   }
   if (size() == 0) {
     levels_.clear();
@@ -112,8 +117,8 @@ void Quadtree::shape() {
     if (extent.discs > 0) {
       // Enough squares for all of the level's part of the plane, if that is not too many; otherwise
       // the plane is folded.
-      const std::uint64_t columns = static_cast<std::uint64_t>(extent.right - extent.left + 1);
-      const std::uint64_t rows = static_cast<std::uint64_t>(extent.top - extent.bottom + 1);
+      const auto columns = static_cast<std::uint64_t>(extent.right - extent.left + 1);
+      const auto rows = static_cast<std::uint64_t>(extent.top - extent.bottom + 1);
       const std::uint64_t most = 2 * extent.discs;
       const bool fits = columns <= most && rows <= most && columns * rows <= most;
       const std::uint32_t count =
@@ -297,8 +302,44 @@ void Quadtree::overlapping_pairs(std::vector<Pair>& pairs) const {
     if (length_squared(Vec2{x_[j], y_[j]} - Vec2{x_[i], y_[i]}) < sum * sum)
       pairs.push_back({std::min(i, j), std::max(i, j)});
   };
-  QuadtreeSearch(*this).pairs(add);
+  const QuadtreeSearch search(*this);
+  const bool as_built = strays_.empty() && std::all_of(levels_.begin(), levels_.end(),
+                                                       [](const Level& l) { return l.slack == 0; });
+  if (as_built) {
+    search.pairs(add);
+  } else {
+    for (std::uint32_t i = 0; i < size(); ++i)
+      search.near(x_[i], y_[i], radius_[i], 1, [&](std::uint32_t j) {
+        if (i < j) add(i, j);
+      });
+  }
   sort_unique(pairs);
+}
+
+// From where the discs are now: the table has forgotten how the plane was folded.
+std::vector<Quadtree::Square> Quadtree::squares() const {
+  struct Taken {
+    int depth;
+    std::int64_t row;
+    std::int64_t column;
+    double side;
+    auto operator<=>(const Taken&) const = default;
+  };
+  std::vector<Taken> taken;
+  taken.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Level& level = levels_[levels_.size() == 1 ? 0 : level_[i]];
+    const auto [column, row] = place(level, x_[i], y_[i]);
+    taken.push_back({level.depth, row, column, level.side});
+  }
+  sort_unique(taken);
+  std::vector<Square> squares;
+  squares.reserve(taken.size());
+  for (const auto& [depth, row, column, side] : taken)
+    squares.push_back({.low = {static_cast<double>(column) * side, static_cast<double>(row) * side},
+                       .side = side,
+                       .level = depth});
+  return squares;
 }
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,7 @@ class QuadtreeSearch {
     const double size = std::abs(x) + std::abs(y);
     // Beyond this, squares of floats would overflow: such a disc is near all it is compared with.
     constexpr double far = 1e15;
-    if (!(size < far)) return {0, 0, 1e30F};
+    if (!(size < far)) return {0, 0, std::numeric_limits<float>::infinity()};
     // Rounding a coordinate costs at most 2⁻²⁴ of it; the rest of the room is for the sums and
     // products made of it.
     const double enlarged = radius * (1 + 0x1p-20) + size * 0x1p-20;
@@ -126,8 +127,8 @@ class QuadtreeSearch {
   void box(Vec2 low, Vec2 high, double factor, Hit hit) const {
     const auto scan = [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t slot = begin; slot < end; ++slot) {
-        const double x = double{tree_.slot_x_[slot]};
-        const double y = double{tree_.slot_y_[slot]};
+        const auto x = double{tree_.slot_x_[slot]};
+        const auto y = double{tree_.slot_y_[slot]};
         const double r = factor * double{tree_.slot_radius_[slot]};
         if (x + r >= low.x && x - r <= high.x && y + r >= low.y && y - r <= high.y)
           hit(tree_.slot_disc_[slot]);

@@ -113,7 +113,7 @@ class Stepper {
   template <class Numbers>
   void move(std::size_t i, double h, double friction) {
     const auto along = [&](double* position, double* velocity, double* acceleration, double next) {
-      const Numbers v = load<Numbers>(velocity + i);
+      const auto v = load<Numbers>(velocity + i);
       store(position + i, load<Numbers>(position + i) + v * h);
       store(velocity + i, v * friction + load<Numbers>(acceleration + i) * h);
       store(acceleration + i, all_lanes<Numbers>(next));

@@ -35,6 +35,8 @@ using carom::Scene;
 using carom::Vec2;
 using carom::World;
 
+int threads = 1;
+
 [[noreturn]] void fail(const std::string& why, int status) {
   std::puts(why.c_str());
   std::exit(status);
@@ -163,6 +165,7 @@ class Recorder {
 
 void run(Table& table, const std::string& name, Scene scene, int steps, std::uint64_t every) {
   World world = good(World::create(std::move(scene)), name);
+  world.set_threads(threads);
   Recorder recorder(table, name, every);
   for (int step = 0; step < steps; ++step) {
     const auto events = world.step();
@@ -383,7 +386,11 @@ void print_steps(long steps) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() == 3 && arguments[1] == "--threads") {
+    threads = std::atoi(arguments[2].c_str());
+    arguments.resize(1);
+  }
   if (arguments.size() == 1 && arguments[0] == "--print")
     compute(Table());
   else if (arguments.size() == 2 && arguments[0] == "--steps")
@@ -391,5 +398,5 @@ int main(int argc, char** argv) {
   else if (arguments.size() == 1)
     compute(Table(arguments[0]));
   else
-    fail("Usage: golden_hashes TABLE | --print | --steps N", unusable);
+    fail("Usage: golden_hashes TABLE [--threads N] | --print | --steps N", unusable);
 }
