@@ -1,5 +1,6 @@
 #include "app/aim.hpp"
 
+#include "app/grid.hpp"
 #include "carom/world.hpp"
 #include "games/launch.hpp"
 
@@ -11,7 +12,7 @@ void Aim::move(carom::Vec2 to) { to_ = to; }
 
 void Aim::cancel() { from_.reset(); }
 
-carom::Vec2 Aim::drag() const { return from_ ? to_ - *from_ : carom::Vec2{}; }
+carom::Vec2 Aim::drag() const { return from_ ? on_grid(to_ - *from_) : carom::Vec2{}; }
 
 carom::Vec2 Aim::velocity() const { return games::launch_velocity(drag()); }
 

@@ -18,7 +18,7 @@ class Aim {
   void cancel();
 
   bool active() const { return from_.has_value(); }
-  /// World px; zero when not active.
+  /// World px, on the grid of replays (grid.hpp); zero when not active.
   carom::Vec2 drag() const;
   /// The launch that a click would give now, px/s.
   carom::Vec2 velocity() const;

@@ -1,6 +1,9 @@
 #include "app/angry_balls_screen.hpp"
 
+#include <utility>
+
 #include "app/aim_view.hpp"
+#include "app/game_effects.hpp"
 #include "app/label.hpp"
 #include "app/level_view.hpp"
 #include "app/palette.hpp"
@@ -18,24 +21,36 @@ constexpr double trace_spacing = 0.016;      ///< of the level's width, between 
 constexpr std::size_t longest_trace = 1000;  ///< dots
 
 /// The end window's buttons, the last of which Esc means.
-enum EndButton : std::size_t { go_on, again, menu };
+enum EndButton : std::size_t { go_on, again, watch, menu };  // watch: in practice, take back
 
 }  // namespace
 
-AngryBallsScreen::AngryBallsScreen(const Words& words, Campaign& campaign)
+AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session)
+    : AngryBallsScreen(
+          words, session,
+          LevelRecorder(angry_balls::Game::create(
+                            session.campaign.levels[session.campaign.current].scene.value())
+                            .value())) {
+  if (campaign_.practice) practice_.emplace();
+}
+
+AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session, LevelRecorder played)
     : words_(words),
-      campaign_(campaign),
-      game_(angry_balls::Game::create(campaign.levels[campaign.current].scene.value()).value()),
-      bar_(words) {
-  motion_.record(game_.world());
+      session_(session),
+      campaign_(session.campaign),
+      played_(std::move(played)),
+      bar_(words),
+      strip_(words) {
   announce_level();
+  motion_.record(game().world());
+  follow_phase();
 }
 
 void AngryBallsScreen::announce_level() {
-  effects_.announce(
-      title(),
-      words_(Text::goal, {words_.number(game_.enemies_left()), words_.number(game_.throws_left())}),
-      {});
+  effects_.announce(title(),
+                    words_(Text::goal, {words_.number(game().enemies_left()),
+                                        words_.number(game().throws_left())}),
+                    {});
 }
 
 /// "Level 1: First steps".
@@ -48,9 +63,10 @@ std::string AngryBallsScreen::title() const {
 void AngryBallsScreen::resize(const View& view) {
   view_ = view;
   layout_ = GameLayout::of(view);
+  if (practice_) strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
-  viewport_ = level_viewport(layout_.world, game_.level());
-  pointer_ = viewport_.to_window(game_.launch_place());
+  viewport_ = level_viewport(layout_.world, game().level());
+  pointer_ = viewport_.to_window(game().launch_place());
   place_parts();
 }
 
@@ -76,12 +92,20 @@ Transition AngryBallsScreen::event(const Input& input) {
     const auto chosen = question_->event(input);
     if (!chosen) return Transition::stay;
     question_.reset();
-    return *chosen == 0 ? Transition::levels : Transition::stay;
+    if (*chosen != 0) return Transition::stay;
+    session_.kept.forget(replay::Kind::angry_balls);
+    return Transition::levels;
   }
   if (auto* over = std::get_if<Over>(&state_)) {
     if (over->wait > nanoseconds{0}) return Transition::stay;
     const auto chosen = over->dialog.event(input);
     return chosen ? finish(*chosen) : Transition::stay;
+  }
+  if (practice_) {
+    if (const auto command = strip_.event(input)) {
+      practise(*command);
+      return Transition::stay;
+    }
   }
   if (const auto command = bar_.event(input)) return obey(*command);
   if (is_key(input, Key::r)) return obey(UserBar::Command::restart);
@@ -96,44 +120,76 @@ Transition AngryBallsScreen::event(const Input& input) {
   }
   if (is_key(input, Key::escape)) return obey(UserBar::Command::close);
 
-  const bool click =
-      press && press->button == PointerButton::left && !bar_.has_button_at(press->at);
+  const bool click = press && press->button == PointerButton::left &&
+                     !bar_.has_button_at(press->at) &&
+                     !(practice_ && strip_.has_button_at(press->at));
   if (launcher && click) {
     const auto drag = launcher->click(viewport_.to_world(press->at), on_projectile(press->at));
-    if (drag && game_.apply(angry_balls::Throw{*drag})) follow_phase();
+    if (drag) throw_by(*drag);
   } else if (auto* offered = std::get_if<NextOffered>(&state_)) {
     offered->prompt.event(input);
     const bool key =
         is_key(input, Key::n) || is_key(input, Key::enter) || is_key(input, Key::space);
-    if ((click || key) && game_.apply(angry_balls::Next{})) follow_phase();
+    if ((click || key) && played_.apply(angry_balls::Next{})) {
+      follow_phase();
+      keep();
+    }
   }
   return Transition::stay;
 }
 
+void AngryBallsScreen::throw_by(carom::Vec2 drag) {
+  auto before = practice_ ? std::optional(played_) : std::nullopt;
+  if (!played_.apply(angry_balls::Throw{drag})) return;
+  if (before) practice_->thrown(std::move(*before), drag);
+  follow_phase();
+}
+
+void AngryBallsScreen::practise(const PracticeStrip::Command& command) {
+  if (const auto* change = std::get_if<Change>(&command)) return practice_->change(*change);
+  const bool repeat = std::holds_alternative<PracticeStrip::Repeat>(command);
+  if (!repeat || !practice_->ready()) {
+    auto before = practice_->take_back();
+    if (!before) return;
+    played_ = std::move(*before);
+    begin_again();
+  }
+  if (repeat) throw_by(*practice_->drag());
+}
+
+void AngryBallsScreen::begin_again() {
+  effects_.clear();
+  trace_.clear();
+  turn_points_ = 0;
+  follow_phase();
+}
+
 bool AngryBallsScreen::on_projectile(Point at) const {
-  return on_lead(game_.world().ball(0), at, viewport_, view_);
+  return on_lead(game().world().ball(0), at, viewport_, view_);
 }
 
 Transition AngryBallsScreen::obey(UserBar::Command command) {
-  const bool under_way = game_.world().steps() > 0 && !std::holds_alternative<Over>(state_);
+  const bool under_way =
+      game().world().steps() > 0 && !std::holds_alternative<Over>(state_) && !practice_;
   if (command == UserBar::Command::close) {
     if (!under_way) return Transition::levels;
     question_.emplace(words_(Text::ask_leave_level),
                       std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
                       std::vector{words_(Text::leave), words_(Text::keep_playing)});
     place_parts();
-  } else if (game_.apply(angry_balls::Restart{})) {
-    effects_.clear();
-    trace_.clear();
-    turn_points_ = 0;
+  } else if (played_.apply(angry_balls::Restart{})) {
+    if (practice_)
+      practice_->restart();
+    else
+      session_.kept.forget(replay::Kind::angry_balls);
+    begin_again();
     announce_level();
-    follow_phase();
   }
   return Transition::stay;
 }
 
 Transition AngryBallsScreen::finish(std::size_t button) {
-  const bool next_level = game_.phase() == Phase::won && campaign_.next().has_value();
+  const bool next_level = game().phase() == Phase::won && campaign_.next().has_value();
   // Without a next level the other buttons move up.
   switch (button + (next_level ? 0 : 1)) {
     case go_on:
@@ -141,13 +197,20 @@ Transition AngryBallsScreen::finish(std::size_t button) {
       return Transition::level;
     case again:
       return obey(UserBar::Command::restart);
+    case watch:
+      if (practice_) {
+        practise(PracticeStrip::TakeBack{});
+        return Transition::stay;
+      }
+      session_.to_watch = played_.replay();
+      return Transition::replay;
     default:
       return Transition::levels;
   }
 }
 
 void AngryBallsScreen::follow_phase() {
-  switch (game_.phase()) {
+  switch (game().phase()) {
     case Phase::aim:
       state_ = Launcher{};
       break;
@@ -158,30 +221,32 @@ void AngryBallsScreen::follow_phase() {
       break;
     case Phase::offer:
       state_ = NextOffered{
-          Buttons({words_(game_.throws_left() > 0 ? Text::next_throw : Text::finish)}, 0)};
+          Buttons({words_(game().throws_left() > 0 ? Text::next_throw : Text::finish)}, 0)};
       place_parts();
       return;  // the level goes on moving
     case Phase::won:
     case Phase::lost:
-      state_ = Over{result(), game_.world(),
-                    game_.phase() == Phase::won ? epilogue_time : nanoseconds{0}};
+      state_ = Over{result(), game().world(),
+                    game().phase() == Phase::won ? epilogue_time : nanoseconds{0}};
       place_parts();
       return;
   }
-  motion_.record(game_.world());
+  motion_.record(game().world());
   clock_.reset();
 }
 
 Dialog AngryBallsScreen::result() {
-  const bool won = game_.phase() == Phase::won;
+  const bool won = game().phase() == Phase::won;
   std::vector<Dialog::Line> lines;
-  lines.push_back({words_(Text::score), words_.number(game_.score()), {}});
-  if (won) {
+  lines.push_back({words_(Text::score), words_.number(game().score()), {}});
+  if (practice_) {
+    lines.push_back({words_(Text::practice_only), {}, {}});
+  } else if (won) {
     const std::string& identity = campaign_.levels[campaign_.current].identity;
-    const bool better = campaign_.best.record(identity, game_.score());
-    const int used = game_.level().throws - game_.throws_left();
+    const bool better = campaign_.best.record(identity, game().score());
+    const int used = game().level().throws - game().throws_left();
     lines.push_back(
-        {words_(Text::throws_used, {words_.number(used), words_.number(game_.level().throws)}),
+        {words_(Text::throws_used, {words_.number(used), words_.number(game().level().throws)}),
          {},
          {}});
     lines.push_back({better ? words_(Text::new_best)
@@ -191,9 +256,11 @@ Dialog AngryBallsScreen::result() {
     if (campaign_.best.trouble() == BestScores::Trouble::not_kept)
       lines.push_back({words_(Text::scores_not_kept), {}, {}});
   } else {
-    lines.push_back({words_(Text::enemies_remain, {words_.number(game_.enemies_left())}), {}, {}});
+    lines.push_back({words_(Text::enemies_remain, {words_.number(game().enemies_left())}), {}, {}});
   }
-  std::vector<std::string> buttons{words_(Text::play_again), words_(Text::menu)};
+  std::vector<std::string> buttons{words_(Text::play_again),
+                                   words_(practice_ ? Text::take_back : Text::watch_replay),
+                                   words_(Text::menu)};
   if (won && campaign_.next()) buttons.insert(buttons.begin(), words_(Text::next_level));
   return {words_(won ? Text::won : Text::lost), std::move(lines), std::move(buttons)};
 }
@@ -201,75 +268,74 @@ Dialog AngryBallsScreen::result() {
 bool AngryBallsScreen::moving() const {
   if (question_) return false;
   if (const auto* over = std::get_if<Over>(&state_)) return over->wait > nanoseconds{0};
-  return game_.phase() == Phase::fly || game_.phase() == Phase::offer;
+  return game().phase() == Phase::fly || game().phase() == Phase::offer;
 }
 
 bool AngryBallsScreen::animating() const { return !question_ && (moving() || effects_.active()); }
 
 const carom::World& AngryBallsScreen::shown_world() const {
   const auto* over = std::get_if<Over>(&state_);
-  return over ? over->epilogue : game_.world();
+  return over ? over->epilogue : game().world();
 }
 
-void AngryBallsScreen::iterate(nanoseconds elapsed) {
-  if (question_) return;  // the level waits for the answer
+Transition AngryBallsScreen::iterate(nanoseconds elapsed) {
+  if (question_) return Transition::stay;  // the level waits for the answer
   effects_.advance(elapsed);
-  if (!moving()) return;
+  if (!moving()) return Transition::stay;
   for (int due = clock_.advance(elapsed); due > 0 && moving(); --due) step();
+  return Transition::stay;
 }
 
 void AngryBallsScreen::step() {
   motion_.record(shown_world());
   if (auto* over = std::get_if<Over>(&state_)) {
-    burst_broken_balls(over->epilogue.step());
+    show_lost_balls(effects_, over->epilogue.step(), game().level());
     over->wait -= Clock::step;
     return;
   }
-  const Phase before = game_.phase();
-  game_.step();
+  const Phase before = game().phase();
+  played_.step();
   trace_projectile();
-  burst_broken_balls(game_.physics_events());
-  for (const angry_balls::Event& event : game_.events()) {
-    if (event.kind != angry_balls::EventKind::scored) continue;
-    turn_points_ += event.points;
-    effects_.float_up(event.position, words_(Text::points, {words_.number(event.points)}),
-                      palette::accents[0]);
-  }
-  if (game_.phase() != before) follow_phase();
+  show_step(effects_, game(), words_);
+  for (const angry_balls::Event& event : game().events())
+    if (event.kind == angry_balls::EventKind::scored) turn_points_ += event.points;
+  if (game().phase() == before) return;
+  follow_phase();
+  keep();
 }
 
-void AngryBallsScreen::burst_broken_balls(std::span<const carom::Event> events) {
-  for (const carom::Event& event : events) {
-    const carom::Ball& ball = game_.level().balls[event.ball];
-    const BallLook& look = look_of(ball, ball.solidity, game_.level());
-    if (event.kind == carom::EventKind::destroyed)
-      effects_.burst(event.position, ball.radius, look, event.ball);
-    else if (event.kind == carom::EventKind::pocketed)
-      effects_.sink(event.position, game_.level().holes[event.other].position, ball.radius, look);
-  }
+/// After every throw, and when the next one is taken.
+void AngryBallsScreen::keep() {
+  if (practice_) return;
+  if (game().phase() == Phase::won || game().phase() == Phase::lost)
+    return session_.kept.forget(replay::Kind::angry_balls);
+  if (session_.kept.keep(played_.replay()) || std::exchange(told_not_kept_, true)) return;
+  effects_.announce(words_(Text::not_kept), {}, {});
 }
 
 void AngryBallsScreen::trace_projectile() {
-  const carom::World& world = game_.world();
+  const carom::World& world = game().world();
   if (!world.in_play(0) || trace_.size() >= longest_trace) return;
   const carom::Vec2 at = world.ball(0).position;
-  const carom::Vec2 last = trace_.empty() ? game_.launch_place() : trace_.back();
-  if (carom::length(at - last) >= trace_spacing * game_.level().width) trace_.push_back(at);
+  const carom::Vec2 last = trace_.empty() ? game().launch_place() : trace_.back();
+  if (carom::length(at - last) >= trace_spacing * game().level().width) trace_.push_back(at);
 }
 
 void AngryBallsScreen::draw(Canvas& canvas) const {
   DrawList& list = canvas.list;
-  draw_level(list, layout_.world, viewport_, game_.level());
+  draw_level(list, layout_.world, viewport_, game().level());
   draw_trace(list);
   effects_.draw_under_balls(list, viewport_);
   const auto* launcher = std::get_if<Launcher>(&state_);
-  draw_level_balls(list, layout_.world, viewport_, shown_world(), game_.level(), motion_,
+  draw_level_balls(list, layout_.world, viewport_, shown_world(), game().level(), motion_,
                    moving() ? clock_.fraction() : 1);
   if (launcher) {
     if (launcher->aim.active())
-      draw_aim(list, viewport_, game_.world(), launcher->aim);
+      draw_aim(list, viewport_, game().world(), launcher->aim);
+    else if (const Aim shown = planned(practice_, game().world().ball(0)); shown.active())
+      draw_aim(list, viewport_, game().world(), shown);
     else
-      draw_invitation(list, viewport_, game_.world().ball(0), on_projectile(pointer_),
+      draw_invitation(list, viewport_, game().world().ball(0), on_projectile(pointer_),
                       palette::accents[0]);
   }
   Rect free = layout_.world.inset(canvas.px(4));
@@ -281,11 +347,12 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   LevelBar::Content content;
   content.number = static_cast<int>(campaign_.current) + 1;
   content.name = words_.level_name(campaign_.levels[campaign_.current].name);
-  content.score = game_.score();
+  content.score = game().score();
   content.turn_points = turn_points_;
-  content.throws_left = game_.throws_left();
-  content.enemies_left = game_.enemies_left();
+  content.throws_left = game().throws_left();
+  content.enemies_left = game().enemies_left();
   bar_.draw(canvas, content);
+  if (practice_) strip_.draw(canvas);
   fill_rounded(list, layout_.footer, 0,
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
@@ -305,14 +372,19 @@ void AngryBallsScreen::draw_trace(DrawList& list) const {
 }
 
 std::string AngryBallsScreen::hint() const {
-  if (const auto* launcher = std::get_if<Launcher>(&state_)) {
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  const bool idle = launcher ? !launcher->aim.active() && !launcher->missed
+                             : std::holds_alternative<WatchThrow>(state_);
+  if (practice_ && practice_->drag() && idle)
+    return words_(Text::hint_repeat, {practised(words_, *practice_->drag())});
+  if (launcher) {
     if (launcher->aim.active())
       return words_(launcher->refused && launcher->aim.too_weak() ? Text::hint_too_weak
                                                                   : Text::hint_throw);
     return words_(launcher->missed ? Text::hint_not_projectile : Text::hint_take_projectile);
   }
   if (std::holds_alternative<NextOffered>(state_))
-    return words_(game_.throws_left() > 0 ? Text::hint_next : Text::hint_finish);
+    return words_(game().throws_left() > 0 ? Text::hint_next : Text::hint_finish);
   return std::holds_alternative<WatchThrow>(state_) ? words_(Text::hint_flying) : std::string();
 }
 
@@ -323,23 +395,24 @@ Color AngryBallsScreen::hint_color() const {
 }
 
 std::string AngryBallsScreen::describe() const {
-  const std::string now = question_ ? question_->title() : [&] {
-    switch (game_.phase()) {
+  std::string now = question_ ? question_->title() : [&] {
+    switch (game().phase()) {
       case Phase::aim:
         return words_(Text::ready_to_throw);
       case Phase::fly:
         return words_(Text::watching_throw);
       case Phase::offer:
-        return words_(game_.throws_left() > 0 ? Text::next_offered : Text::finish_offered);
+        return words_(game().throws_left() > 0 ? Text::next_offered : Text::finish_offered);
       case Phase::won:
       case Phase::lost:
         break;
     }
     return std::get<Over>(state_).dialog.title();
   }();
+  if (practice_) now = words_(Text::practice_state, {now});
   return words_(Text::level_state,
-                {words_(Text::product), title(), now, words_.number(game_.score()),
-                 words_.number(game_.throws_left()), words_.number(game_.enemies_left())});
+                {words_(Text::product), title(), now, words_.number(game().score()),
+                 words_.number(game().throws_left()), words_.number(game().enemies_left())});
 }
 
 }  // namespace app

@@ -4,33 +4,37 @@
 #include <variant>
 #include <vector>
 
-#include "app/campaign.hpp"
 #include "app/dialog.hpp"
 #include "app/effects.hpp"
 #include "app/launcher.hpp"
 #include "app/level_bar.hpp"
 #include "app/motion.hpp"
+#include "app/practice_strip.hpp"
 #include "app/screen.hpp"
+#include "app/session.hpp"
 #include "app/text.hpp"
 #include "app/viewport.hpp"
 #include "games/angry_balls.hpp"
 
 namespace app {
 
-/// The campaign's current level, from the first throw to the end.
+/// The campaign's current level, from the first throw to the end; in practice throws can be taken
+/// back and nothing is kept.
 class AngryBallsScreen final : public Screen {
  public:
   /// The level must be one that can be played.
-  AngryBallsScreen(const Words& words, Campaign& campaign);
+  AngryBallsScreen(const Words& words, Session& session);
+  /// Goes on with a game of the campaign's current level.
+  AngryBallsScreen(const Words& words, Session& session, LevelRecorder played);
 
   void resize(const View& view) override;
   Transition event(const Input& input) override;
-  void iterate(nanoseconds elapsed) override;
+  Transition iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override;
 
-  const games::angry_balls::Game& game() const { return game_; }
+  const games::angry_balls::Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return viewport_; }
 
  private:
@@ -50,7 +54,10 @@ class AngryBallsScreen final : public Screen {
   void follow_phase();
   void place_parts();
   void step();
-  void burst_broken_balls(std::span<const carom::Event> events);
+  void keep();
+  void throw_by(carom::Vec2 drag);
+  void practise(const PracticeStrip::Command& command);
+  void begin_again();
   void trace_projectile();
   void announce_level();
   Dialog result();
@@ -67,8 +74,11 @@ class AngryBallsScreen final : public Screen {
   std::string title() const;
 
   Words words_;
+  Session& session_;
   Campaign& campaign_;
-  games::angry_balls::Game game_;
+  LevelRecorder played_;
+  std::optional<Practice<LevelRecorder>> practice_;
+  bool told_not_kept_ = false;
   State state_ = Launcher{};
   std::optional<Dialog> question_;  ///< whether to leave
   int turn_points_ = 0;
@@ -79,6 +89,7 @@ class AngryBallsScreen final : public Screen {
   std::vector<carom::Vec2> trace_;  ///< px, where the last throw went
 
   LevelBar bar_;
+  PracticeStrip strip_;
   View view_;
   GameLayout layout_;
   Viewport viewport_;

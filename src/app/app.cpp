@@ -1,19 +1,34 @@
 #include "app/app.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
 #include "app/level_menu.hpp"
+#include "app/load_screen.hpp"
+#include "app/replay_list.hpp"
+#include "app/replay_screen.hpp"
 #include "app/title_screen.hpp"
 
 namespace app {
 
-App::App(Language language, int width, int height, Store& store, std::vector<Level> levels)
+namespace {
+
+std::vector<Level> with_shipped(std::vector<Level> own) {
+  std::vector<Level> levels = shipped_levels();
+  std::ranges::move(own, std::back_inserter(levels));
+  return levels;
+}
+
+}  // namespace
+
+App::App(Language language, int width, int height, Store& store, Clipboard& clipboard,
+         std::vector<Level> levels)
     : words_(language),
-      campaign_{shipped_levels(), BestScores(store), 0},
+      session_(store, clipboard, with_shipped(std::move(levels))),
       view_(View::of(width, height)) {
-  std::ranges::move(levels, std::back_inserter(campaign_.levels));
   go(Transition::title);
 }
 
@@ -27,7 +42,12 @@ void App::event(const Input& input) {
   }
 }
 
-void App::iterate(nanoseconds elapsed) { screen_->iterate(elapsed); }
+void App::iterate(nanoseconds elapsed) { go(screen_->iterate(elapsed)); }
+
+void App::watch(replay::Replay replay) {
+  session_.to_watch = std::move(replay);
+  go(Transition::replay);
+}
 
 const DrawList& App::draw() {
   do {
@@ -47,19 +67,51 @@ void App::go(Transition transition) {
       quit_requested_ = true;
       return;
     case Transition::title:
-      screen_ = std::make_unique<TitleScreen>(words_);
+      screen_ = std::make_unique<TitleScreen>(words_, session_);
       break;
     case Transition::billiards:
-      screen_ = std::make_unique<BilliardsScreen>(words_);
+      screen_ = std::make_unique<BilliardsScreen>(words_, session_);
+      break;
+    case Transition::practice_table:
+      screen_ =
+          std::make_unique<BilliardsScreen>(words_, session_, BilliardsScreen::Mode::practice);
       break;
     case Transition::levels:
-      screen_ = std::make_unique<LevelMenu>(words_, campaign_);
+      screen_ = std::make_unique<LevelMenu>(words_, session_.campaign);
       break;
     case Transition::level:
-      screen_ = std::make_unique<AngryBallsScreen>(words_, campaign_);
+      screen_ = std::make_unique<AngryBallsScreen>(words_, session_);
+      break;
+    case Transition::load:
+      screen_ = std::make_unique<LoadScreen>(words_, session_);
+      break;
+    case Transition::resume:
+      resume();
+      break;
+    case Transition::replays:
+      screen_ = std::make_unique<ReplayList>(words_, session_);
+      break;
+    case Transition::replay: {
+      auto player = replay::Player::create(*std::exchange(session_.to_watch, {}));
+      if (!player) return;  // a game that has outgrown every limit
+      below_ = std::exchange(
+          screen_, std::make_unique<ReplayScreen>(words_, session_, std::move(player).value()));
+      break;
+    }
+    case Transition::back:
+      screen_ = std::move(below_);
       break;
   }
   screen_->resize(view_);
+}
+
+void App::resume() {
+  auto loaded = *std::exchange(session_.loaded, {});
+  if (auto* table = std::get_if<BilliardsRecorder>(&loaded))
+    screen_ = std::make_unique<BilliardsScreen>(words_, session_, std::move(*table));
+  else
+    screen_ = std::make_unique<AngryBallsScreen>(words_, session_,
+                                                 std::move(std::get<LevelRecorder>(loaded)));
 }
 
 }  // namespace app

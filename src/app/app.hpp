@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/campaign.hpp"
 #include "app/font.hpp"
 #include "app/screen.hpp"
-#include "app/store.hpp"
+#include "app/session.hpp"
 #include "app/text.hpp"
 
 namespace app {
@@ -16,12 +15,15 @@ namespace app {
 /// shows what comes out.
 class App {
  public:
-  /// The window's size in px. The store must outlive this. `levels`: what the player has beside
-  /// the shipped ones.
-  App(Language language, int width, int height, Store& store, std::vector<Level> levels = {});
+  /// The window's size in px. Store and clipboard must outlive this. `levels`: what the player has
+  /// beside the shipped ones.
+  App(Language language, int width, int height, Store& store, Clipboard& clipboard,
+      std::vector<Level> levels = {});
 
   void event(const Input& input);
   void iterate(nanoseconds elapsed);
+  /// Shows a replay; closing it leads back to what was on screen.
+  void watch(replay::Replay replay);
   /// The picture now; good until the next call.
   const DrawList& draw();
   /// The picture's texture, as of the last draw().
@@ -35,13 +37,15 @@ class App {
 
  private:
   void go(Transition transition);
+  void resume();
 
   Words words_;
-  Campaign campaign_;
+  Session session_;
   View view_;
   Font font_;
   DrawList list_;
   std::unique_ptr<Screen> screen_;
+  std::unique_ptr<Screen> below_;  ///< kept while a replay is shown
   bool quit_requested_ = false;
 };
 

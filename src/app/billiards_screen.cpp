@@ -1,6 +1,10 @@
 #include "app/billiards_screen.hpp"
 
+#include <utility>
+
 #include "app/aim_view.hpp"
+#include "app/game_effects.hpp"
+#include "app/grid.hpp"
 #include "app/label.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
@@ -29,16 +33,23 @@ Text reason(Obstruction obstruction) {
 
 }  // namespace
 
-BilliardsScreen::BilliardsScreen(const Words& words) : words_(words), bar_(words) {
-  motion_.record(game_.world());
-  announce_turn(game_.player(), {});
+BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Mode mode)
+    : BilliardsScreen(words, session, BilliardsRecorder(billiards::Game())) {
+  if (mode == Mode::practice) practice_.emplace();
+}
+
+BilliardsScreen::BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played)
+    : words_(words), session_(session), played_(std::move(played)), bar_(words), strip_(words) {
+  announce_turn(game().player(), {});
+  follow_phase();
 }
 
 void BilliardsScreen::resize(const View& view) {
   view_ = view;
   layout_ = GameLayout::of(view);
+  if (practice_) strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
-  const carom::Scene& table = game_.world().scene();
+  const carom::Scene& table = game().world().scene();
   viewport_ = Viewport(layout_.world.inset(view.px(8)), {table.width, table.height}, table_margin);
   if (question_) question_->dialog.resize(view);
   if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view);
@@ -58,8 +69,13 @@ Transition BilliardsScreen::event(const Input& input) {
   }
   if (auto* over = std::get_if<Over>(&state_)) {
     const auto chosen = over->dialog.event(input);
-    if (!chosen) return Transition::stay;
-    return obey(*chosen == 0 ? UserBar::Command::restart : UserBar::Command::close);
+    return chosen ? finish(*chosen) : Transition::stay;
+  }
+  if (practice_) {
+    if (const auto command = strip_.event(input)) {
+      practise(*command);
+      return Transition::stay;
+    }
   }
   if (const auto command = bar_.event(input)) return request(*command);
 
@@ -74,7 +90,8 @@ Transition BilliardsScreen::event(const Input& input) {
     return request(UserBar::Command::close);
   } else if (is_key(input, Key::r)) {
     return request(UserBar::Command::restart);
-  } else if (press && press->button == PointerButton::left && !bar_.has_button_at(press->at)) {
+  } else if (press && press->button == PointerButton::left && !bar_.has_button_at(press->at) &&
+             !(practice_ && strip_.has_button_at(press->at))) {
     if (aiming)
       click(*aiming, press->at);
     else if (auto* placing = std::get_if<PlaceBall>(&state_))
@@ -86,28 +103,50 @@ Transition BilliardsScreen::event(const Input& input) {
 void BilliardsScreen::click(Launcher& launcher, Point at) {
   const auto drag = launcher.click(viewport_.to_world(at), on_cue_ball(at));
   // Aimed shots are always finite and not zero: the game takes them.
-  if (drag && game_.apply(billiards::Shoot{*drag})) follow_phase();
+  if (drag) shoot(*drag);
+}
+
+void BilliardsScreen::shoot(carom::Vec2 drag) {
+  auto before = practice_ ? std::optional(played_) : std::nullopt;
+  if (!played_.apply(billiards::Shoot{drag})) return;
+  if (before) practice_->thrown(std::move(*before), drag);
+  follow_phase();
+}
+
+void BilliardsScreen::practise(const PracticeStrip::Command& command) {
+  if (const auto* change = std::get_if<Change>(&command)) return practice_->change(*change);
+  const bool repeat = std::holds_alternative<PracticeStrip::Repeat>(command);
+  if (!repeat || !practice_->ready()) {
+    auto before = practice_->take_back();
+    if (!before) return;
+    played_ = std::move(*before);
+    turn_points_ = 0;
+    effects_.clear();
+    follow_phase();
+  }
+  if (repeat) shoot(*practice_->drag());
 }
 
 void BilliardsScreen::click(PlaceBall&, Point at) {
   // A place that is not free stays shown as such.
-  if (game_.apply(billiards::Place{viewport_.to_world(at)})) follow_phase();
+  if (played_.apply(billiards::Place{on_grid(viewport_.to_world(at))})) follow_phase();
 }
 
 bool BilliardsScreen::on_cue_ball(Point at) const {
-  return on_lead(game_.world().ball(0), at, viewport_, view_);
+  return on_lead(game().world().ball(0), at, viewport_, view_);
 }
 
 /// The table with its wood, window px.
 Rect BilliardsScreen::table_area() const {
-  const carom::Scene& table = game_.world().scene();
+  const carom::Scene& table = game().world().scene();
   const Point corner = viewport_.to_window({-table_margin, table.height + table_margin});
   return {corner.x, corner.y, viewport_.px(table.width + 2 * table_margin),
           viewport_.px(table.height + 2 * table_margin)};
 }
 
 Transition BilliardsScreen::request(UserBar::Command command) {
-  if (game_.world().steps() == 0) return obey(command);  // nothing to lose
+  // Nothing to lose.
+  if (game().world().steps() == 0 || practice_) return obey(command);
   const bool restart = command == UserBar::Command::restart;
   question_ =
       Question{Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
@@ -119,20 +158,33 @@ Transition BilliardsScreen::request(UserBar::Command command) {
 }
 
 Transition BilliardsScreen::obey(UserBar::Command command) {
+  if (!practice_) session_.kept.forget(replay::Kind::billiards);
   if (command == UserBar::Command::close) return Transition::title;
-  if (game_.apply(billiards::Restart{})) {
+  if (played_.apply(billiards::Restart{})) {
+    if (practice_) practice_->restart();
     effects_.clear();
     turn_points_ = 0;
-    announce_turn(game_.player(), {});
+    announce_turn(game().player(), {});
     follow_phase();
   }
   return Transition::stay;
 }
 
+/// The buttons of the end: again, the replay or in practice back by a shot, the title.
+Transition BilliardsScreen::finish(std::size_t button) {
+  if (button != 1) return obey(button == 0 ? UserBar::Command::restart : UserBar::Command::close);
+  if (practice_) {
+    practise(PracticeStrip::TakeBack{});
+    return Transition::stay;
+  }
+  session_.to_watch = played_.replay();
+  return Transition::replay;
+}
+
 void BilliardsScreen::follow_phase() {
-  motion_.record(game_.world());
+  motion_.record(game().world());
   clock_.reset();
-  switch (game_.phase()) {
+  switch (game().phase()) {
     case Phase::aim:
       state_ = Launcher{};
       break;
@@ -150,26 +202,30 @@ void BilliardsScreen::follow_phase() {
   }
 }
 
-void BilliardsScreen::iterate(nanoseconds elapsed) {
-  if (question_) return;  // the table waits for the answer
+/// After every turn.
+void BilliardsScreen::keep() {
+  if (practice_) return;
+  if (game().phase() == Phase::over) return session_.kept.forget(replay::Kind::billiards);
+  if (session_.kept.keep(played_.replay()) || std::exchange(told_not_kept_, true)) return;
+  effects_.announce(words_(Text::not_kept), {}, {});
+}
+
+Transition BilliardsScreen::iterate(nanoseconds elapsed) {
+  if (question_) return Transition::stay;  // the table waits for the answer
   effects_.advance(elapsed);
-  if (game_.phase() != Phase::roll) return;
-  for (int due = clock_.advance(elapsed); due > 0 && game_.phase() == Phase::roll; --due) step();
+  if (game().phase() != Phase::roll) return Transition::stay;
+  for (int due = clock_.advance(elapsed); due > 0 && game().phase() == Phase::roll; --due) step();
+  return Transition::stay;
 }
 
 void BilliardsScreen::step() {
-  motion_.record(game_.world());
-  game_.step();
-  const carom::World& world = game_.world();
-  for (const carom::Event& event : game_.physics_events()) {
-    if (event.kind != carom::EventKind::pocketed) continue;
-    const bool cue = event.ball == 0;
-    effects_.sink(event.position, world.scene().holes[event.other].position,
-                  cue ? carom::default_cue_radius : carom::default_radius,
-                  cue ? ivory_ball : red_ball);
-  }
-  for (const billiards::Event& event : game_.events()) note(event);
-  if (game_.phase() != Phase::roll) follow_phase();
+  motion_.record(game().world());
+  played_.step();
+  show_step(effects_, game(), words_);
+  for (const billiards::Event& event : game().events()) note(event);
+  if (game().phase() == Phase::roll) return;
+  follow_phase();
+  keep();
 }
 
 void BilliardsScreen::note(const billiards::Event& event) {
@@ -177,15 +233,11 @@ void BilliardsScreen::note(const billiards::Event& event) {
   switch (event.kind) {
     case EventKind::scored:
       turn_points_ += event.points;
-      for (const carom::Event& physics : game_.physics_events())
-        if (physics.kind == carom::EventKind::pocketed && physics.ball == event.ball)
-          effects_.float_up(physics.position, words_(Text::points, {words_.number(event.points)}),
-                            palette::accents[static_cast<std::size_t>(event.player)]);
       break;
     case EventKind::turn: {
       const std::string before = words_.player(1 - event.player);
       announce_turn(event.player,
-                    game_.phase() == Phase::place
+                    game().phase() == Phase::place
                         ? words_(Text::cue_ball_in_hand, {words_.player(event.player)})
                     : turn_points_ > 0
                         ? words_(Text::turn_scored, {before, words_.number(turn_points_)})
@@ -203,39 +255,43 @@ void BilliardsScreen::announce_turn(int player, const std::string& detail) {
 }
 
 Dialog BilliardsScreen::result() const {
-  const std::optional<int> winner = game_.winner();
+  const std::optional<int> winner = game().winner();
   std::vector<Dialog::Line> lines;
   lines.reserve(2);
   for (int player = 0; player < 2; ++player)
-    lines.push_back({words_.player(player), words_.number(game_.score(player)), player});
+    lines.push_back({words_.player(player), words_.number(game().score(player)), player});
   return {winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
           std::move(lines),
-          {words_(Text::play_again), words_(Text::back_to_title)}};
+          {words_(Text::play_again), words_(practice_ ? Text::take_back : Text::watch_replay),
+           words_(Text::back_to_title)}};
 }
 
 bool BilliardsScreen::animating() const {
-  return !question_ && (game_.phase() == Phase::roll || effects_.active());
+  return !question_ && (game().phase() == Phase::roll || effects_.active());
 }
 
 void BilliardsScreen::draw(Canvas& canvas) const {
   const Rect all = canvas.view.area();
   fill_rounded(canvas.list, all, 0,
                Paint::vertical(all, palette::slate_top, palette::slate_bottom));
-  draw_table(canvas.list, viewport_, game_.world().scene());
+  draw_table(canvas.list, viewport_, game().world().scene());
   effects_.draw_under_balls(canvas.list, viewport_);
-  draw_balls(canvas.list, viewport_, game_.world(), motion_,
-             game_.phase() == Phase::roll ? clock_.fraction() : 1);
+  draw_balls(canvas.list, viewport_, game().world(), motion_,
+             game().phase() == Phase::roll ? clock_.fraction() : 1);
   const auto* aiming = std::get_if<Launcher>(&state_);
   if (aiming) {
     if (aiming->aim.active())
-      draw_aim(canvas.list, viewport_, game_.world(), aiming->aim);
+      draw_aim(canvas.list, viewport_, game().world(), aiming->aim);
+    else if (const Aim again = planned(practice_, game().world().ball(0)); again.active())
+      draw_aim(canvas.list, viewport_, game().world(), again);
     else
-      draw_invitation(canvas.list, viewport_, game_.world().ball(0), on_cue_ball(pointer_),
-                      palette::accents[static_cast<std::size_t>(game_.player())]);
+      draw_invitation(canvas.list, viewport_, game().world().ball(0), on_cue_ball(pointer_),
+                      palette::accents[static_cast<std::size_t>(game().player())]);
   }
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
   bar_.draw(canvas, bar_content());
+  if (practice_) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, aiming ? &aiming->aim : nullptr, words_, hint(),
               hint_color());
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
@@ -245,8 +301,8 @@ void BilliardsScreen::draw(Canvas& canvas) const {
 void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
   if (!table_area().contains(pointer_)) return;
   DrawList& list = canvas.list;
-  const float r = viewport_.px(game_.world().ball(0).radius);
-  const Obstruction obstruction = game_.obstruction(viewport_.to_world(pointer_));
+  const float r = viewport_.px(game().world().ball(0).radius);
+  const Obstruction obstruction = game().obstruction(on_grid(viewport_.to_world(pointer_)));
   if (obstruction == Obstruction::none) {
     draw_ball_shadow(list, pointer_, r);
     draw_ball(list, pointer_, r, ivory_ball);
@@ -268,14 +324,19 @@ void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
 }
 
 std::string BilliardsScreen::hint() const {
-  if (const auto* aiming = std::get_if<Launcher>(&state_)) {
+  const auto* aiming = std::get_if<Launcher>(&state_);
+  const bool idle =
+      aiming ? !aiming->aim.active() && !aiming->missed : std::holds_alternative<WatchShot>(state_);
+  if (practice_ && practice_->drag() && idle)
+    return words_(Text::hint_repeat, {practised(words_, *practice_->drag())});
+  if (aiming) {
     if (aiming->aim.active())
       return words_(aiming->refused && aiming->aim.too_weak() ? Text::hint_too_weak
                                                               : Text::hint_shoot);
     return words_(aiming->missed ? Text::hint_not_cue_ball : Text::hint_take_cue_ball);
   }
   if (std::holds_alternative<PlaceBall>(state_)) {
-    const Obstruction obstruction = game_.obstruction(viewport_.to_world(pointer_));
+    const Obstruction obstruction = game().obstruction(on_grid(viewport_.to_world(pointer_)));
     if (obstruction != Obstruction::none)
       return words_(Text::hint_obstructed, {words_(reason(obstruction))});
     return words_(Text::hint_place);
@@ -287,7 +348,8 @@ Color BilliardsScreen::hint_color() const {
   if (const auto* aiming = std::get_if<Launcher>(&state_))
     return aiming->missed ? palette::refused : palette::cream;
   if (std::holds_alternative<PlaceBall>(state_)) {
-    const bool free = game_.obstruction(viewport_.to_world(pointer_)) == Obstruction::none;
+    const bool free =
+        game().obstruction(on_grid(viewport_.to_world(pointer_))) == Obstruction::none;
     return free ? palette::allowed : palette::refused;
   }
   return palette::muted;
@@ -295,17 +357,17 @@ Color BilliardsScreen::hint_color() const {
 
 BilliardsBar::Content BilliardsScreen::bar_content() const {
   BilliardsBar::Content content;
-  content.scores = {game_.score(0), game_.score(1)};
-  if (game_.phase() != Phase::over) content.on = game_.player();
-  content.balls_left = game_.reds_left();
-  content.turn_points = game_.turn_points();
+  content.scores = {game().score(0), game().score(1)};
+  if (game().phase() != Phase::over) content.on = game().player();
+  content.balls_left = game().reds_left();
+  content.turn_points = game().turn_points();
   return content;
 }
 
 std::string BilliardsScreen::describe() const {
-  const std::string player = words_.player(game_.player());
-  const std::string now = question_ ? question_->dialog.title() : [&] {
-    switch (game_.phase()) {
+  const std::string player = words_.player(game().player());
+  std::string now = question_ ? question_->dialog.title() : [&] {
+    switch (game().phase()) {
       case Phase::aim:
         return words_(Text::aiming, {player});
       case Phase::roll:
@@ -317,8 +379,9 @@ std::string BilliardsScreen::describe() const {
     }
     return std::get<Over>(state_).dialog.title();
   }();
-  return words_(Text::state, {words_(Text::product), now, words_.number(game_.score(0)),
-                              words_.number(game_.score(1)), words_.number(game_.reds_left())});
+  if (practice_) now = words_(Text::practice_state, {now});
+  return words_(Text::state, {words_(Text::product), now, words_.number(game().score(0)),
+                              words_.number(game().score(1)), words_.number(game().reds_left())});
 }
 
 }  // namespace app

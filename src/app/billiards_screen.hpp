@@ -8,26 +8,33 @@
 #include "app/effects.hpp"
 #include "app/launcher.hpp"
 #include "app/motion.hpp"
+#include "app/practice_strip.hpp"
 #include "app/screen.hpp"
+#include "app/session.hpp"
 #include "app/text.hpp"
 #include "app/viewport.hpp"
 #include "games/billiards.hpp"
 
 namespace app {
 
-/// A game of billiards for two, from the first shot to the end.
+/// A game of billiards for two, from the first shot to the end; or a table to practise on, where
+/// shots can be taken back and nothing is kept.
 class BilliardsScreen final : public Screen {
  public:
-  explicit BilliardsScreen(const Words& words);
+  enum class Mode : std::uint8_t { game, practice };
+
+  BilliardsScreen(const Words& words, Session& session, Mode mode = Mode::game);
+  /// Goes on with a game.
+  BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played);
 
   void resize(const View& view) override;
   Transition event(const Input& input) override;
-  void iterate(nanoseconds elapsed) override;
+  Transition iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override;
 
-  const games::billiards::Game& game() const { return game_; }
+  const games::billiards::Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return viewport_; }
 
  private:
@@ -47,12 +54,16 @@ class BilliardsScreen final : public Screen {
 
   void follow_phase();
   void step();
+  void keep();
+  void shoot(carom::Vec2 drag);
+  void practise(const PracticeStrip::Command& command);
   void note(const games::billiards::Event& event);
   void announce_turn(int player, const std::string& detail);
   Dialog result() const;
 
   Transition obey(UserBar::Command command);
   Transition request(UserBar::Command command);
+  Transition finish(std::size_t button);
   void click(Launcher& state, Point at);
   void click(PlaceBall& state, Point at);
   bool on_cue_ball(Point at) const;
@@ -64,7 +75,11 @@ class BilliardsScreen final : public Screen {
   BilliardsBar::Content bar_content() const;
 
   Words words_;
-  games::billiards::Game game_;
+  Session& session_;
+  BilliardsRecorder played_;
+  /// On a practice table.
+  std::optional<Practice<BilliardsRecorder>> practice_;
+  bool told_not_kept_ = false;
   State state_ = Launcher{};
   std::optional<Question> question_;
 
@@ -74,6 +89,7 @@ class BilliardsScreen final : public Screen {
   int turn_points_ = 0;  ///< of the turn that is shown; the game forgets them with the turn
 
   BilliardsBar bar_;
+  PracticeStrip strip_;
   View view_;
   GameLayout layout_;
   Viewport viewport_;

@@ -8,11 +8,11 @@ namespace app {
 
 static_assert(Clock::step * carom::steps_per_second == std::chrono::seconds{1});
 
-int Clock::advance(nanoseconds elapsed) {
+int Clock::advance(nanoseconds elapsed, int most) {
   remainder_ += std::max(elapsed, nanoseconds{0});
   const auto due = remainder_ / step;
   remainder_ %= step;
-  return static_cast<int>(std::min<nanoseconds::rep>(due, catch_up));
+  return static_cast<int>(std::min<nanoseconds::rep>(due, most));
 }
 
 double Clock::fraction() const {

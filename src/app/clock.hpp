@@ -15,8 +15,8 @@ class Clock {
   /// shows slow motion instead of falling ever further behind.
   static constexpr int catch_up = 8;
 
-  /// How many steps to take now.
-  int advance(nanoseconds elapsed);
+  /// How many steps to take now, at most `most`.
+  int advance(nanoseconds elapsed, int most = catch_up);
   /// How far into the step to come, in [0, 1).
   double fraction() const;
   /// Starts anew, at the beginning of a step.

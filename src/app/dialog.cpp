@@ -12,6 +12,7 @@ namespace {
 constexpr float padding = 32;
 constexpr float title_height = 48;
 constexpr float line_height = 40;
+constexpr float least_line_height = 26;
 constexpr float button_height = 48;
 constexpr float gap = 16;
 
@@ -21,18 +22,31 @@ Dialog::Dialog(std::string title, std::vector<Line> lines, std::vector<std::stri
     : title_(std::move(title)), lines_(std::move(lines)), buttons_(std::move(buttons), 0) {}
 
 void Dialog::resize(const View& view) {
-  const float height = 2 * padding + title_height +
-                       line_height * static_cast<float>(lines_.size()) + 2 * gap + button_height;
+  const std::size_t columns = buttons_.size() > 3 ? 2 : buttons_.size();
+  const std::size_t rows = (buttons_.size() + columns - 1) / columns;
+  buttons_.set_columns(columns);
+  const float space = view.px(gap);
+  const float buttons_height = static_cast<float>(rows) * (view.px(button_height) + space) - space;
+  const float rest = view.px(2 * padding + title_height + 2 * gap) + buttons_height;
+  const auto lines = static_cast<float>(lines_.size());
+  // In a low window the lines move together.
+  line_height_ = std::clamp((view.height - view.px(8) - rest) / std::max(lines, 1.0f),
+                            view.px(least_line_height), view.px(line_height));
   panel_ = centered(view.area().center(),
                     std::min(view.px(buttons_.size() > 2 ? 560 : 480), view.width - view.px(16)),
-                    view.px(height));
-  Rect row = panel_.inset(view.px(padding));
-  row = row.cut_bottom(view.px(button_height));
-  const auto n = static_cast<float>(buttons_.size());
-  const float width = (row.w - view.px(gap) * (n - 1)) / n;
+                    rest + lines * line_height_);
+  Rect area = panel_.inset(view.px(padding));
+  area = area.cut_bottom(buttons_height);
+  const float width =
+      (area.w - space * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  Rect row;
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    if (i % columns == 0) {
+      row = area.cut_top(view.px(button_height));
+      area.cut_top(space);
+    }
     buttons_.place(i, row.cut_left(width));
-    row.cut_left(view.px(gap));
+    row.cut_left(space);
   }
 }
 
@@ -56,7 +70,7 @@ void Dialog::draw(Canvas& canvas) const {
         {Face::black, 32, palette::cream, Align::center}, title_);
   rest.cut_top(canvas.px(gap / 2));
   for (const Line& line : lines_) {
-    const Rect row = rest.cut_top(canvas.px(line_height));
+    const Rect row = rest.cut_top(line_height_);
     if (line.score.empty()) {
       label(canvas, row, {Face::regular, 20, palette::cream, Align::center}, line.text);
       continue;

@@ -30,6 +30,7 @@ class Dialog {
   std::vector<Line> lines_;
   Buttons buttons_;
   Rect panel_;
+  float line_height_ = 0;  ///< px
 };
 
 }  // namespace app

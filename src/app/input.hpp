@@ -9,7 +9,25 @@
 namespace app {
 
 enum class PointerButton : std::uint8_t { left, right };
-enum class Key : std::uint8_t { enter, space, tab, back_tab, escape, left, right, up, down, r, n };
+enum class Key : std::uint8_t {
+  enter,
+  space,
+  tab,
+  back_tab,
+  escape,
+  left,
+  right,
+  up,
+  down,
+  r,
+  n,
+  backspace,
+  plus,
+  minus,
+  period,
+  copy,   ///< Ctrl+C
+  paste,  ///< Ctrl+V
+};
 
 struct PointerMoved {
   Point at;

@@ -16,6 +16,12 @@ carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes)
   return games::angry_balls::read_level(bytes.value());
 }
 
+std::string identity_of(const carom::Scene& scene) {
+  carom::Fnv1a hash;
+  hash.add(carom::write_scene(scene));
+  return carom::hash_text(hash.hash());
+}
+
 }  // namespace
 
 Level read_level(const std::string& file, const carom::Result<std::string>& bytes) {
@@ -26,11 +32,11 @@ Level read_level(const std::string& file, const carom::Result<std::string>& byte
   }
   const carom::Scene& scene = level.scene.value();
   if (!scene.name.empty()) level.name = scene.name;
-  carom::Fnv1a hash;
-  hash.add(carom::write_scene(scene));
-  level.identity = carom::hash_text(hash.hash());
+  level.identity = identity_of(scene);
   return level;
 }
+
+Level level_of(const carom::Scene& scene) { return {scene.name, scene, {}, identity_of(scene)}; }
 
 std::vector<Level> shipped_levels() {
   std::vector<Level> levels;

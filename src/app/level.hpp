@@ -20,6 +20,9 @@ struct Level {
 /// `file`: its name, for messages; `bytes`: what is in it, or why it could not be read.
 Level read_level(const std::string& file, const carom::Result<std::string>& bytes);
 
+/// A sound level that is no file, such as that of a game kept.
+Level level_of(const carom::Scene& scene);
+
 /// The levels that are part of the program, in order.
 std::vector<Level> shipped_levels();
 

@@ -17,7 +17,8 @@ constexpr float least_height = 112;
 constexpr float most_width = 300;
 constexpr float words_height = 58;      ///< of a card, below the picture
 constexpr float picture_ratio = 0.56f;  ///< a picture's height by its width
-constexpr float button_width = 120;
+constexpr float button_width = 104;
+constexpr float practice_width = 148;
 
 constexpr std::size_t most_drawn = 300;  ///< balls, walls and holes of a card's picture, each
 
@@ -81,6 +82,7 @@ void LevelMenu::show_page(std::size_t page) {
     labels.push_back(words_(Text::previous_page));
     labels.push_back(words_(Text::next_page));
   }
+  labels.push_back(words_(campaign_.practice ? Text::practice_on : Text::practice_off));
   labels.push_back(words_(Text::title_button));
   buttons_ = Buttons(std::move(labels));
   buttons_.set_columns(columns_);
@@ -94,7 +96,10 @@ void LevelMenu::show_page(std::size_t page) {
   }
   Rect head = head_.inset(0, view_.px(4));
   const float width = view_.px(button_width);
-  buttons_.place(cards() + (several ? 2 : 0), head.cut_right(width));
+  const std::size_t after = cards() + (several ? 2 : 0);
+  buttons_.place(after + 1, head.cut_right(width));
+  head.cut_right(space);
+  buttons_.place(after, head.cut_right(view_.px(practice_width)));
   if (!several) return;
   Rect foot = foot_;
   Rect paging = view_.narrow() ? foot.cut_bottom(view_.px(44))
@@ -124,6 +129,12 @@ Transition LevelMenu::choose(std::size_t button) {
     return Transition::level;
   }
   if (button + 1 == buttons_.size()) return Transition::title;
+  if (button + 2 == buttons_.size()) {
+    campaign_.practice = !campaign_.practice;
+    campaign_.current = first();
+    resize(view_);
+    return Transition::stay;
+  }
   const std::size_t n = pages();
   campaign_.current = (page_ + (button == cards() ? n - 1 : 1)) % n * per_page_;
   resize(view_);
@@ -137,6 +148,7 @@ std::string LevelMenu::notice() const {
     if (buttons_.hovered(i) || buttons_.focused(i)) level = first() + i;
   if (level && !campaign_.levels[*level].scene)
     return words_(Text::hint_broken_level, {campaign_.levels[*level].problem});
+  if (campaign_.practice) return words_(Text::hint_practice_levels);
   switch (campaign_.best.trouble()) {
     case BestScores::Trouble::set_aside:
       return words_(Text::scores_set_aside);
@@ -158,7 +170,7 @@ void LevelMenu::draw(Canvas& canvas) const {
                Paint::vertical(strip, palette::slate_top, palette::slate_bottom));
 
   Rect head = head_;
-  head.cut_right(canvas.px(button_width + gap));
+  head.cut_right(canvas.px(practice_width + button_width + 2 * gap));
   label(canvas, head, {Face::black, 32, palette::cream}, words_(Text::choose_level));
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     if (i < cards())

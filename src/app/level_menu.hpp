@@ -15,7 +15,7 @@ class LevelMenu final : public Screen {
 
   void resize(const View& view) override;
   Transition event(const Input& input) override;
-  void iterate(nanoseconds) override {}
+  Transition iterate(nanoseconds) override { return Transition::stay; }
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override { return false; }
@@ -32,7 +32,8 @@ class LevelMenu final : public Screen {
 
   Words words_;
   Campaign& campaign_;
-  /// The page's cards; then, if there are several pages, back and forward; then the title.
+  /// The page's cards; then, if there are several pages, back and forward; then
+  /// practice on and off; then the title.
   Buttons buttons_{{}};
   std::size_t per_page_ = 1;
   std::size_t columns_ = 1;

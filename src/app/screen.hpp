@@ -9,8 +9,22 @@
 
 namespace app {
 
-/// Where the player goes from a screen; `level` is the campaign's current one.
-enum class Transition : std::uint8_t { stay, title, billiards, levels, level, quit };
+/// Where the player goes from a screen; `level` is the campaign's current one. What a screen hands
+/// on lies in the Session.
+enum class Transition : std::uint8_t {
+  stay,
+  title,
+  billiards,
+  practice_table,
+  levels,
+  level,
+  load,     ///< plays the game kept up to where it was left
+  resume,   ///< goes on with the game loaded
+  replays,  ///< the replays saved
+  replay,   ///< shows a replay; the screen left is kept
+  back,     ///< to the screen kept
+  quit,
+};
 
 /// What fills the window. Input and time go in; a picture and a transition come out.
 class Screen {
@@ -20,7 +34,8 @@ class Screen {
   /// Called before all else, and whenever the window's size changes.
   virtual void resize(const View& view) = 0;
   virtual Transition event(const Input& input) = 0;
-  virtual void iterate(nanoseconds elapsed) = 0;
+  /// Only a screen that waits for something goes elsewhere by itself.
+  virtual Transition iterate(nanoseconds elapsed) = 0;
   virtual void draw(Canvas& canvas) const = 0;
   /// What is on screen, in one line.
   virtual std::string describe() const = 0;

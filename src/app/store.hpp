@@ -3,12 +3,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "carom/result.hpp"
 
 namespace app {
 
-/// Keeps a few small texts by name beyond the program's end. The platform knows where.
+/// Keeps texts by name beyond the program's end. A name may begin with a folder: "replays/a.json".
+/// The platform knows where.
 class Store {
  public:
   virtual ~Store() = default;
@@ -16,16 +18,25 @@ class Store {
   /// What was saved under `name`; none if nothing was. Fails when it is there and cannot be read.
   virtual carom::Result<std::optional<std::string>> load(const std::string& name) = 0;
   virtual carom::Status save(const std::string& name, const std::string& text) = 0;
+  /// The same, but never over something: false when the name is taken.
+  virtual carom::Result<bool> save_new(const std::string& name, const std::string& text) = 0;
+  /// Nothing is saved under `name` any more; that may have been so before.
+  virtual carom::Status remove(const std::string& name) = 0;
   /// Renames what is there to NAME.broken, so that it is kept and nothing is saved over it.
   virtual carom::Status set_aside(const std::string& name) = 0;
+  /// The names in a folder ("replays/") that end in ".json", in order.
+  virtual std::vector<std::string> list(const std::string& folder) = 0;
 };
 
 /// Forgets everything in the end: for tests, scripts, and players without a home.
-class MemoryStore final : public Store {
+class MemoryStore : public Store {
  public:
   carom::Result<std::optional<std::string>> load(const std::string& name) override;
   carom::Status save(const std::string& name, const std::string& text) override;
+  carom::Result<bool> save_new(const std::string& name, const std::string& text) override;
+  carom::Status remove(const std::string& name) override;
   carom::Status set_aside(const std::string& name) override;
+  std::vector<std::string> list(const std::string& folder) override;
 
  private:
   std::map<std::string, std::string> texts_;

@@ -1,6 +1,8 @@
 #include "app/text.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdlib>
 
 namespace app {
 namespace {
@@ -122,6 +124,97 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"{0} · {1} · {2} · score: {3} · throws left: {4} · enemies left: {5}",
       "{0} · {1} · {2} · score : {3} · lancers restants : {4} · ennemis restants : {5}"}},
     {Text::menu_state, {"{0} · {1} · levels: {2}", "{0} · {1} · niveaux : {2}"}},
+    {Text::continue_billiards,
+     {"Continue: billiards, player {0}", "Reprendre : billard, joueur {0}"}},
+    {Text::continue_level, {"Continue: level {0}", "Reprendre : niveau {0}"}},
+    {Text::continue_named_level, {"Continue: {0}", "Reprendre : {0}"}},
+    {Text::practice, {"Practice", "S’exercer"}},
+    {Text::replays, {"Replays", "Revoir"}},
+    {Text::ask_new_game, {"Give up the game kept?", "Abandonner la partie ?"}},
+    {Text::continue_game, {"Continue it", "La reprendre"}},
+    {Text::kept_billiards, {"Player 1: {0} · Player 2: {1}", "Joueur 1 : {0} · Joueur 2 : {1}"}},
+    {Text::other_level, {"Other level", "Autre niveau"}},
+    {Text::kept_refused_billiards, {"Billiards: not continued", "Billard : pas de reprise"}},
+    {Text::kept_refused_level, {"Level: not continued", "Niveau : pas de reprise"}},
+    {Text::kept_set_aside, {"It is kept under another name:", "Elle est mise de côté sous le nom"}},
+    {Text::kept_file, {"{0}.broken", "{0}.broken"}},
+    {Text::kept_blocked, {"New games cannot be kept.", "La suite ne sera pas gardée."}},
+    {Text::fault_damaged, {"The game kept is damaged.", "La partie gardée est abîmée."}},
+    {Text::fault_other_version,
+     {"It was made by another version.", "Elle vient d’une autre version."}},
+    {Text::fault_diverged,
+     {"It does not go as it was recorded.", "Elle ne se rejoue pas telle quelle."}},
+    {Text::fault_finished, {"That game is already over.", "Cette partie est déjà finie."}},
+    {Text::ok, {"OK", "OK"}},
+    {Text::not_kept, {"This game cannot be kept", "Cette partie ne peut être gardée"}},
+    {Text::loading, {"Loading your game…", "Chargement de la partie…"}},
+    {Text::turns_loaded, {"Turn {0} of {1}", "Tour {0} sur {1}"}},
+    {Text::cancel, {"Cancel", "Annuler"}},
+    {Text::watch_replay, {"Watch replay", "Revoir"}},
+    {Text::replay_title, {"replay", "partie revue"}},
+    {Text::replay_state,
+     {"{0} · {1} · {2} · {3} · {4} · {5} · {6}", "{0} · {1} · {2} · {3} · {4} · {5} · {6}"}},
+    {Text::replay_playing, {"playing ×{0}", "lecture ×{0}"}},
+    {Text::replay_paused, {"paused", "en pause"}},
+    {Text::play, {"Play", "Lire"}},
+    {Text::pause, {"Pause", "Pause"}},
+    {Text::one_step, {"Step", "Pas"}},
+    {Text::previous_turn, {"‹ Turn", "‹ Tour"}},
+    {Text::following_turn, {"Turn ›", "Tour ›"}},
+    {Text::slower, {"−", "−"}},
+    {Text::faster, {"+", "+"}},
+    {Text::times, {"×{0}", "×{0}"}},
+    {Text::save_replay, {"Save", "Garder"}},
+    {Text::copy, {"Copy", "Copier"}},
+    {Text::turn_of_turns, {"Turn {0} of {1}", "Tour {0} sur {1}"}},
+    {Text::turn_of_player, {"Turn {0} of {1} · player {2}", "Tour {0} sur {1} · joueur {2}"}},
+    {Text::verifying, {"Verifying…", "Vérification…"}},
+    {Text::verified, {"Verified", "Vérifiée"}},
+    {Text::diverged, {"Diverged in turn {0}", "Diverge au tour {0}"}},
+    {Text::hint_replay,
+     {"Space: play, pause · point: step · + −: speed · arrows: turns",
+      "Espace : lire · point : pas · + − : vitesse · flèches : tours"}},
+    {Text::replay_saved, {"Saved as {0}.", "Gardée sous le nom {0}."}},
+    {Text::replay_not_saved, {"It cannot be saved.", "Elle ne peut pas être gardée."}},
+    {Text::replay_copied,
+     {"Copied as text: paste it anywhere.", "Copiée : collez le texte où vous voulez."}},
+    {Text::replay_not_copied, {"It cannot be copied.", "Elle ne peut pas être copiée."}},
+    {Text::score_pair, {"{0} : {1}", "{0} : {1}"}},
+    {Text::saved_replays, {"Saved replays", "Parties gardées"}},
+    {Text::paste, {"Paste", "Coller"}},
+    {Text::no_replays,
+     {"No replay is saved yet. Watch one after a game, or paste its text here.",
+      "Rien n’est gardé. Revoyez une partie à sa fin, ou collez-en le texte ici."}},
+    {Text::hint_replays,
+     {"Choose a replay, or paste one as text (Ctrl+V).",
+      "Choisissez une partie, ou collez un texte (Ctrl+V)."}},
+    {Text::replay_line, {"{0} · turns: {1} · {2}", "{0} · tours : {1} · {2}"}},
+    {Text::replays_state, {"{0} · {1} · replays: {2}", "{0} · {1} · parties : {2}"}},
+    {Text::bad_replay, {"Cannot be shown: it is damaged.", "Illisible : le fichier est abîmé."}},
+    {Text::old_replay,
+     {"Cannot be shown: it was made by another version.",
+      "Illisible : elle vient d’une autre version."}},
+    {Text::paste_failed, {"Nothing to show", "Rien à montrer"}},
+    {Text::paste_damaged,
+     {"What was pasted is no whole replay.", "Le texte collé n’est pas une partie."}},
+    {Text::paste_other_version,
+     {"It was made by another version.", "Elle vient d’une autre version."}},
+    {Text::take_back, {"Take back", "Annuler"}},
+    {Text::repeat, {"Repeat", "Répéter"}},
+    {Text::slower_throw, {"−1 px/s", "−1 px/s"}},
+    {Text::faster_throw, {"+1 px/s", "+1 px/s"}},
+    {Text::turn_left, {"+0.1°", "+0,1°"}},
+    {Text::turn_right, {"−0.1°", "−0,1°"}},
+    {Text::hint_repeat,
+     {"R repeats {0}. Backspace takes back.", "R répète {0}. Retour arrière : annuler."}},
+    {Text::practised, {"{0} px/s, {1}°", "{0} px/s, {1}°"}},
+    {Text::practice_state, {"practice: {0}", "exercice : {0}"}},
+    {Text::practice_on, {"Practice: on", "Exercice : oui"}},
+    {Text::practice_off, {"Practice: off", "Exercice : non"}},
+    {Text::hint_practice_levels,
+     {"Throws can be taken back; nothing enters the best scores.",
+      "Lancers annulables ; aucun record n’est noté."}},
+    {Text::practice_only, {"Practice: no best score", "Exercice : pas de record"}},
 }};
 
 struct LevelName {
@@ -178,6 +271,13 @@ std::string Words::number(int value) const {
     digits.insert(at, separator);
   }
   return digits;
+}
+
+std::string Words::tenths(double value) const {
+  const auto all = static_cast<int>(std::lround(value * 10));
+  const int part = std::abs(all % 10);
+  return (all < 0 ? "−" : "") + number(std::abs(all / 10)) +
+         (language_ == Language::french ? "," : ".") + std::to_string(part);
 }
 
 std::string Words::level_name(std::string_view name) const {

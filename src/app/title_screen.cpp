@@ -9,9 +9,10 @@
 #include "app/shapes.hpp"
 
 namespace app {
-namespace {
 
-enum Choice : std::size_t { play_billiards, play_angry_balls, quit };
+using replay::Kind;
+
+namespace {
 
 constexpr float rail = 40;  ///< units, the wood along the bottom
 constexpr int rows = 8;     ///< of the rack
@@ -19,12 +20,43 @@ constexpr float row_distance = 1.7320508f;
 
 }  // namespace
 
-TitleScreen::TitleScreen(const Words& words)
-    : words_(words),
-      buttons_({words(Text::billiards), words(Text::angry_balls), words(Text::quit)},
-               play_billiards) {}
+TitleScreen::TitleScreen(const Words& words, Session& session)
+    : words_(words), session_(session), buttons_({}) {
+  std::vector<std::string> labels;
+  const auto add = [&](Choice choice, std::string label) {
+    choices_.push_back(choice);
+    labels.push_back(std::move(label));
+  };
+  if (session.kept.of(Kind::billiards)) add(Choice::continue_billiards, offer(Kind::billiards));
+  if (session.kept.of(Kind::angry_balls)) add(Choice::continue_level, offer(Kind::angry_balls));
+  add(Choice::billiards, words(Text::billiards));
+  add(Choice::practice_table, words(Text::practice));
+  add(Choice::angry_balls, words(Text::angry_balls));
+  add(Choice::replays, words(Text::replays));
+  add(Choice::quit, words(Text::quit));
+  buttons_ = Buttons(std::move(labels), 0);
+  tell_refused();
+}
+
+/// What a game kept is called on its button.
+std::string TitleScreen::offer(Kind kind) const {
+  const replay::Replay& game = *session_.kept.of(kind);
+  if (kind == Kind::billiards) {
+    // A game is kept between two turns, each of which has one shot.
+    const auto shots = std::ranges::count_if(game.moves, [](const replay::Move& move) {
+      return std::holds_alternative<games::billiards::Shoot>(move.command);
+    });
+    return words_(Text::continue_billiards, {words_.number(static_cast<int>(shots % 2) + 1)});
+  }
+  const Level level = level_of(*game.level);
+  if (const auto index = session_.campaign.find(level.identity))
+    return words_(Text::continue_level, {words_.number(static_cast<int>(*index) + 1)});
+  return words_(Text::continue_named_level, {level.name});
+}
 
 void TitleScreen::resize(const View& view) {
+  view_ = view;
+  if (question_) question_->dialog.resize(view);
   Rect rest = view.area();
   rest.cut_bottom(view.px(rail));
   rest = rest.inset(view.px(32), view.px(24));
@@ -35,25 +67,134 @@ void TitleScreen::resize(const View& view) {
   art_ = rest;
   if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(456)));
 
-  // Heights give way together in a very low window.
+  // Heights give way together in a very low window, and to games that are offered again.
+  const std::size_t offered = choices_.size() - 5;
+  const float pitch = offered == 0 ? 66.0f : offered == 1 ? 57.0f : 50.0f;
+  const float height = pitch - (offered == 0 ? 12.0f : 9.0f);
   const float unit = std::min(view.scale, words.h / 448);
-  wordmark_ = words.cut_top(unit * 200);
+  wordmark_ = words.cut_top(unit * (398 - pitch * static_cast<float>(3 + offered)));
   words.cut_top(unit * 4);
   tagline_ = words.cut_top(unit * 32);
   words.cut_top(unit * 20);
   const float width = std::min(words.w, view.px(304));
   const float left = tall ? words.center().x - width / 2 : words.x;
-  for (std::size_t i = 0; i < buttons_.size(); ++i)
-    buttons_.place(i, {left, words.y + unit * 66 * static_cast<float>(i), width, unit * 54});
+  Rect row;
+  const auto next_row = [&] {
+    row = {left, words.y, width, unit * height};
+    words.cut_top(unit * pitch);
+  };
+  const float gap = view.px(8);
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::quit;
+    if (!second) next_row();
+    Rect box = row;
+    if (choices_[i] == Choice::billiards || choices_[i] == Choice::replays)
+      box = row.cut_left(row.w * 0.58f);
+    if (second) {
+      row.cut_left(gap);
+      box = row;
+    }
+    buttons_.place(i, box);
+  }
 }
 
 Transition TitleScreen::event(const Input& input) {
+  if (question_) {
+    const auto chosen = question_->dialog.event(input);
+    return chosen ? answer(*chosen) : Transition::stay;
+  }
   if (is_key(input, Key::escape)) return Transition::quit;
+  if (is_key(input, Key::paste)) {
+    const auto fault = take_pasted(session_);
+    if (!fault) return Transition::replay;
+    paste_failed(*fault);
+    return Transition::stay;
+  }
   const auto chosen = buttons_.event(input);
-  if (chosen == play_billiards) return Transition::billiards;
-  if (chosen == play_angry_balls) return Transition::levels;
-  if (chosen == quit) return Transition::quit;
+  return chosen ? choose(choices_[*chosen]) : Transition::stay;
+}
+
+Transition TitleScreen::choose(Choice choice) {
+  const bool gives_up = (choice == Choice::billiards && session_.kept.of(Kind::billiards)) ||
+                        (choice == Choice::angry_balls && session_.kept.of(Kind::angry_balls));
+  if (!gives_up) return proceed(choice);
+  const bool table = choice == Choice::billiards;
+  const replay::Replay& kept = *session_.kept.of(table ? Kind::billiards : Kind::angry_balls);
+  const std::string line = table ? words_(Text::kept_billiards, {words_.number(kept.score[0]),
+                                                                 words_.number(kept.score[1])})
+                                 : offer(Kind::angry_balls);
+  question_ =
+      Question{Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
+                      {words_(Text::continue_game),
+                       words_(table ? Text::new_game : Text::other_level), words_(Text::cancel)}),
+               choice};
+  question_->dialog.resize(view_);
   return Transition::stay;
+}
+
+Transition TitleScreen::answer(std::size_t button) {
+  const auto about = question_->about;
+  question_.reset();
+  if (!about) {
+    tell_refused();
+    return Transition::stay;
+  }
+  const bool table = *about == Choice::billiards;
+  if (button == 0) return proceed(table ? Choice::continue_billiards : Choice::continue_level);
+  if (button == 2) return Transition::stay;
+  session_.kept.forget(table ? Kind::billiards : Kind::angry_balls);
+  return proceed(*about);
+}
+
+Transition TitleScreen::proceed(Choice choice) {
+  switch (choice) {
+    case Choice::continue_billiards:
+    case Choice::continue_level:
+      session_.to_continue =
+          choice == Choice::continue_billiards ? Kind::billiards : Kind::angry_balls;
+      return Transition::load;
+    case Choice::billiards:
+      return Transition::billiards;
+    case Choice::practice_table:
+      return Transition::practice_table;
+    case Choice::angry_balls:
+      return Transition::levels;
+    case Choice::replays:
+      return Transition::replays;
+    case Choice::quit:
+      break;
+  }
+  return Transition::quit;
+}
+
+/// A game kept that cannot be continued, and what became of its file.
+void TitleScreen::tell_refused() {
+  const auto refused = session_.kept.take_refused();
+  if (!refused) return;
+  std::vector<Dialog::Line> lines{{words_(text_of(refused->fault)), {}, {}}};
+  if (refused->set_aside) {
+    lines.push_back({words_(Text::kept_set_aside), {}, {}});
+    lines.push_back({words_(Text::kept_file, {KeptGames::file(refused->kind)}), {}, {}});
+  } else {
+    lines.push_back({words_(Text::kept_blocked), {}, {}});
+  }
+  question_ = Question{Dialog(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
+                                                                      : Text::kept_refused_level),
+                              std::move(lines), {words_(Text::ok)}),
+                       {}};
+  question_->dialog.resize(view_);
+}
+
+void TitleScreen::paste_failed(ReplayFault fault) {
+  question_ =
+      Question{Dialog(words_(Text::paste_failed),
+                      {{words_(fault == ReplayFault::other_version ? Text::paste_other_version
+                                                                   : Text::paste_damaged),
+                        {},
+                        {}}},
+                      {words_(Text::ok)}),
+               {}};
+  question_->dialog.resize(view_);
 }
 
 void TitleScreen::draw(Canvas& canvas) const {
@@ -84,7 +225,14 @@ void TitleScreen::draw(Canvas& canvas) const {
     label(canvas, box, style, word);
   }
   label(canvas, tagline_, {Face::regular, 20, palette::brass_lit, align}, words_(Text::tagline));
-  buttons_.draw(canvas, 22);
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
+                      choices_[i] == Choice::quit;
+    const bool offers =
+        choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
+    buttons_.draw_one(canvas, i, half || offers ? 18 : 22);
+  }
+  if (question_) question_->dialog.draw(canvas);
 }
 
 void TitleScreen::draw_background(Canvas& canvas) const {
@@ -141,7 +289,8 @@ void TitleScreen::draw_art(Canvas& canvas) const {
 }
 
 std::string TitleScreen::describe() const {
-  return words_(Text::product) + " · " + words_(Text::title_screen);
+  return words_(Text::product) + " · " +
+         (question_ ? question_->dialog.title() : words_(Text::title_screen));
 }
 
 }  // namespace app

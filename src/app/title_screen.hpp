@@ -1,18 +1,24 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
+#include "app/dialog.hpp"
 #include "app/screen.hpp"
+#include "app/session.hpp"
 #include "app/text.hpp"
 #include "app/widgets.hpp"
 
 namespace app {
 
+/// Where the games are chosen, and one that was left is offered again.
 class TitleScreen final : public Screen {
  public:
-  explicit TitleScreen(const Words& words);
+  TitleScreen(const Words& words, Session& session);
 
   void resize(const View& view) override;
   Transition event(const Input& input) override;
-  void iterate(nanoseconds) override {}
+  Transition iterate(nanoseconds) override { return Transition::stay; }
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override { return false; }
@@ -21,7 +27,33 @@ class TitleScreen final : public Screen {
   void draw_background(Canvas& canvas) const;
   void draw_art(Canvas& canvas) const;
 
+  enum class Choice : std::uint8_t {
+    continue_billiards,
+    continue_level,
+    billiards,
+    practice_table,
+    angry_balls,
+    replays,
+    quit,
+  };
+  /// About what the dialog is: a kept game, by a new one of its kind; or nothing but OK.
+  struct Question {
+    Dialog dialog;
+    std::optional<Choice> about;
+  };
+
+  Transition choose(Choice choice);
+  Transition answer(std::size_t button);
+  Transition proceed(Choice choice);
+  void tell_refused();
+  void paste_failed(ReplayFault fault);
+  std::string offer(replay::Kind kind) const;
+
   Words words_;
+  Session& session_;
+  std::vector<Choice> choices_;  ///< of the buttons
+  View view_;
+  std::optional<Question> question_;
   Buttons buttons_;
   Rect art_;
   Rect wordmark_;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/canvas.hpp"
@@ -18,6 +19,8 @@ class Buttons {
 
   std::size_t size() const { return buttons_.size(); }
   void place(std::size_t index, const Rect& box) { buttons_[index].box = box; }
+
+  void relabel(std::size_t index, std::string label) { buttons_[index].label = std::move(label); }
 
   /// The button that the input sets off, if any.
   std::optional<std::size_t> event(const Input& input);

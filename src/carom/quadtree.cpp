@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <tuple>
 
 #include "carom/crew.hpp"
 #include "carom/quadtree_search.hpp"
@@ -318,19 +319,13 @@ void Quadtree::overlapping_pairs(std::vector<Pair>& pairs) const {
 
 // From where the discs are now: the table has forgotten how the plane was folded.
 std::vector<Quadtree::Square> Quadtree::squares() const {
-  struct Taken {
-    int depth;
-    std::int64_t row;
-    std::int64_t column;
-    double side;
-    auto operator<=>(const Taken&) const = default;
-  };
+  using Taken = std::tuple<int, std::int64_t, std::int64_t, double>;  // depth, row, column, side
   std::vector<Taken> taken;
   taken.reserve(size());
   for (std::size_t i = 0; i < size(); ++i) {
     const Level& level = levels_[levels_.size() == 1 ? 0 : level_[i]];
     const auto [column, row] = place(level, x_[i], y_[i]);
-    taken.push_back({level.depth, row, column, level.side});
+    taken.emplace_back(level.depth, row, column, level.side);
   }
   sort_unique(taken);
   std::vector<Square> squares;

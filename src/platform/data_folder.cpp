@@ -1,7 +1,9 @@
 #include "platform/data_folder.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
+#include <unistd.h>
 
 #include "files/files.hpp"
 
@@ -31,15 +33,38 @@ carom::Result<std::optional<std::string>> FolderStore::load(const std::string& n
     return std::optional<std::string>();
   if (!fs::is_regular_file(folder_ / name, ignored))
     return carom::Error{.pointer = name, .problem = "is no file"};
+  if (const auto size = fs::file_size(folder_ / name, ignored); !ignored && size > max_text)
+    return carom::Error{.pointer = name, .problem = "is larger than 16 MiB"};
   auto text = files::read(folder_ / name);
   if (!text) return text.errors();
   return std::optional(std::move(text).value());
 }
 
 carom::Status FolderStore::save(const std::string& name, const std::string& text) {
+  const fs::path path = folder_ / name;
   std::error_code ignored;
-  fs::create_directories(folder_, ignored);  // write() tells if it is not there
-  return files::write(folder_ / name, text);
+  fs::create_directories(path.parent_path(), ignored);  // write() tells if it is not there
+  return files::write(path, text);
+}
+
+// Whole, or not there, and never in the place of another: a link fails where the name is taken.
+carom::Result<bool> FolderStore::save_new(const std::string& name, const std::string& text) {
+  const std::string aside = name + ".new-" + std::to_string(::getpid());
+  if (carom::Status saved = save(aside, text); !saved) return saved.errors();
+  std::error_code error;
+  fs::create_hard_link(folder_ / aside, folder_ / name, error);
+  std::error_code ignored;
+  fs::remove(folder_ / aside, ignored);
+  if (error == std::errc::file_exists) return false;
+  if (error) return carom::Error{.pointer = name, .problem = error.message()};
+  return true;
+}
+
+carom::Status FolderStore::remove(const std::string& name) {
+  std::error_code error;
+  fs::remove(folder_ / name, error);
+  if (error) return carom::Error{.pointer = name, .problem = error.message()};
+  return carom::Done{};
 }
 
 carom::Status FolderStore::set_aside(const std::string& name) {
@@ -50,6 +75,19 @@ carom::Status FolderStore::set_aside(const std::string& name) {
   fs::rename(folder_ / name, aside, error);
   if (error) return carom::Error{.pointer = name, .problem = error.message()};
   return carom::Done{};
+}
+
+std::vector<std::string> FolderStore::list(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  fs::directory_iterator entry(folder_ / folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->path().extension() == ".json" && entry->is_regular_file(ignored))
+      names.push_back(folder + entry->path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 }  // namespace platform

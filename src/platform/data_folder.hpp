@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/store.hpp"
 
@@ -12,15 +15,20 @@ namespace platform {
 std::optional<std::filesystem::path> data_folder();
 
 /// Keeps texts as files of a folder, made when first needed. A file is replaced as a whole or not
-/// at all.
+/// at all. One of more than max_text is not read.
 class FolderStore final : public app::Store {
  public:
+  static constexpr std::uintmax_t max_text = 16 << 20;  ///< bytes
+
   explicit FolderStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   carom::Result<std::optional<std::string>> load(const std::string& name) override;
   carom::Status save(const std::string& name, const std::string& text) override;
+  carom::Result<bool> save_new(const std::string& name, const std::string& text) override;
+  carom::Status remove(const std::string& name) override;
   /// A NAME.broken that is there already stays: then it is NAME.broken-2, and so on.
   carom::Status set_aside(const std::string& name) override;
+  std::vector<std::string> list(const std::string& folder) override;
 
  private:
   std::filesystem::path folder_;

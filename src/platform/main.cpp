@@ -15,6 +15,7 @@
 #include "platform/level_files.hpp"
 #include "platform/null_platform.hpp"
 #include "platform/sdl_platform.hpp"
+#include "replay/replay_file.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ constexpr const char* examples = R"(Examples:
   angry-balls                       play in a window (F11: full screen)
   angry-balls --size 1920x1080 --lang fr
   angry-balls my-level.json my-levels/
+  angry-balls --replay tests/replays/level-09-won.json
   angry-balls --script demos/billiards.jsonl --screenshot end.png
   echo '{"at": 1, "click": [100, 420]}' | angry-balls --script -
 
@@ -40,19 +42,22 @@ window pixels:
   {"at": 1, "move": [10, 20]}
   {"at": 1.5, "key": "Escape"}
   {"at": 2, "screenshot": "shot.png"}
-It plays without a display, as fast as it can, the same every time, with no scores and no levels of
-yours but those named; then one line tells what is on screen.
+  {"at": 3, "print": true}                    says what is on screen
+It plays without a display, as fast as it can, the same every time, with no scores, games and levels
+of yours but those named; then one line tells what is on screen.
 
-Best scores are kept in $XDG_DATA_HOME/angry-balls/scores.json, levels of your own are found in
-$XDG_DATA_HOME/angry-balls/levels (XDG_DATA_HOME is ~/.local/share unless set).
+Best scores, the game in progress and replays are kept in $XDG_DATA_HOME/angry-balls, levels of your
+own are found in $XDG_DATA_HOME/angry-balls/levels (XDG_DATA_HOME is ~/.local/share unless set).
 
-Exit status: 0 done, 2 bad command line or script, 3 a file cannot be written, 4 no display.)";
+Exit status: 0 done, 2 bad command line, script or replay, 3 a file cannot be written, 4 no display.)";
 
 struct Options {
   std::string script;
   std::string screenshot;
   std::pair<int, int> size{1280, 720};
   std::string language;
+  std::string replay;
+  std::string data;
   std::vector<std::filesystem::path> levels;
 };
 
@@ -81,16 +86,23 @@ int report(const carom::Errors& errors, std::string_view file, int status) {
   return status;
 }
 
-int play_script(const Options& options, app::Language language) {
+int play_script(const Options& options, app::Language language,
+                std::optional<replay::Replay> replay) {
   const std::string name = options.script == "-" ? "<stdin>" : options.script;
   const auto text = files::read(options.script);
   if (!text) return report(text.errors(), name, bad_input);
   const auto script = platform::parse_script(text.value());
   if (!script) return report(script.errors(), name, bad_input);
 
+  app::MemoryStore forgetful;
+  platform::FolderStore folder(options.data);
+  app::Store& store = options.data.empty() ? static_cast<app::Store&>(forgetful) : folder;
   platform::NullPlatform game(language, options.size.first, options.size.second,
-                              platform::read_levels(options.levels));
-  if (const auto status = game.run(script.value()); !status)
+                              platform::read_levels(options.levels), store);
+  if (replay) game.app().watch(std::move(*replay));
+  // Every line at once: who reads it may be waiting for it.
+  const auto print = [](const std::string& line) { std::cout << line << std::endl; };
+  if (const auto status = game.run(script.value(), print); !status)
     return report(status.errors(), {}, cannot_write);
   if (!options.screenshot.empty())
     if (const auto status = game.screenshot(options.screenshot); !status)
@@ -99,19 +111,23 @@ int play_script(const Options& options, app::Language language) {
   return done;
 }
 
-int play_in_window(const Options& options, app::Language language) {
+int play_in_window(const Options& options, app::Language language,
+                   std::optional<replay::Replay> replay) {
   app::MemoryStore forgetful;
   std::optional<platform::FolderStore> folder_store;
   std::vector<std::filesystem::path> levels = options.levels;
-  if (const auto folder = platform::data_folder()) {
+  const auto folder = options.data.empty() ? platform::data_folder()
+                                           : std::optional(std::filesystem::path(options.data));
+  if (folder) {
     folder_store.emplace(*folder);
     std::error_code ignored;
     if (std::filesystem::exists(*folder / "levels", ignored))
       levels.insert(levels.begin(), *folder / "levels");
   }
   app::Store& store = folder_store ? static_cast<app::Store&>(*folder_store) : forgetful;
-  const std::string problem = platform::play_in_window(
-      language, options.size.first, options.size.second, store, platform::read_levels(levels));
+  const std::string problem =
+      platform::play_in_window(language, options.size.first, options.size.second, store,
+                               platform::read_levels(levels), std::move(replay));
   if (problem.empty()) return done;
   std::cerr << "angry-balls: no display: " << problem
             << " (a script plays without one: --script FILE)\n";
@@ -135,6 +151,11 @@ int main(int argc, char** argv) {
                  "Write the script's last picture to FILE (PNG)")
       ->type_name("FILE")
       ->needs(script);
+  cli.add_option("--replay", options.replay, "Show the replay in FILE (\"-\": standard input)")
+      ->type_name("FILE");
+  cli.add_option("--data", options.data,
+                 "Keep scores, games and replays in FOLDER (a script: nowhere unless given)")
+      ->type_name("FOLDER");
   cli.add_option_function<std::string>(
          "--size", [&](const std::string& text) { options.size = parse_size(text); },
          "Size of the window, px (default 1280x720)")
@@ -150,7 +171,14 @@ int main(int argc, char** argv) {
 
   const app::Language language =
       app::language_of_locale(options.language.empty() ? environment_locale() : options.language);
-  if (!options.script.empty()) return play_script(options, language);
-
-  return play_in_window(options, language);
+  std::optional<replay::Replay> replay;
+  if (!options.replay.empty()) {
+    const auto bytes = files::read(options.replay);
+    if (!bytes) return report(bytes.errors(), options.replay, bad_input);
+    auto read = replay::read_replay(bytes.value());
+    if (!read) return report(read.errors(), options.replay, bad_input);
+    replay = std::move(read).value();
+  }
+  if (!options.script.empty()) return play_script(options, language, std::move(replay));
+  return play_in_window(options, language, std::move(replay));
 }

@@ -15,9 +15,16 @@ constexpr nanoseconds frame{16'666'667};
 
 NullPlatform::NullPlatform(app::Language language, int width, int height,
                            std::vector<app::Level> levels)
-    : app_(language, width, height, store_, std::move(levels)), width_(width), height_(height) {}
+    : NullPlatform(language, width, height, std::move(levels), memory_) {}
 
-carom::Status NullPlatform::run(const Script& script) {
+NullPlatform::NullPlatform(app::Language language, int width, int height,
+                           std::vector<app::Level> levels, app::Store& store)
+    : store_(store),
+      app_(language, width, height, store_, clipboard_, std::move(levels)),
+      width_(width),
+      height_(height) {}
+
+carom::Status NullPlatform::run(const Script& script, const Print& print) {
   nanoseconds now{};
   for (const ScriptLine& line : script) {
     pass(line.at - now);
@@ -30,6 +37,8 @@ carom::Status NullPlatform::run(const Script& script) {
       app_.event(app::KeyPressed{press->key});
     } else if (const auto* shot = std::get_if<Screenshot>(&line.action)) {
       if (carom::Status written = screenshot(shot->file); !written) return written;
+    } else if (print) {
+      print(app_.describe());
     }
     if (app_.quit_requested()) break;
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "app/app.hpp"
@@ -12,11 +14,16 @@ namespace platform {
 /// A window that is not there: plays a script as fast as it can, the same every time.
 class NullPlatform {
  public:
-  /// `levels`: beside the shipped ones. Scores are kept in memory only.
+  /// `levels`: beside the shipped ones. Scores, games and what is copied stay in memory.
   NullPlatform(app::Language language, int width, int height, std::vector<app::Level> levels = {});
+  /// Keeps scores and games in `store`, which must outlive this.
+  NullPlatform(app::Language language, int width, int height, std::vector<app::Level> levels,
+               app::Store& store);
 
-  /// Plays on until the script ends or the game quits. Fails when a picture cannot be written.
-  carom::Status run(const Script& script);
+  using Print = std::function<void(const std::string&)>;
+  /// Plays on until the script ends or the game quits; `print` gets what the script prints. Fails
+  /// when a picture cannot be written.
+  carom::Status run(const Script& script, const Print& print = {});
   /// Lets game time pass, in frames of at most 1/60 s.
   void pass(std::chrono::nanoseconds time);
   void click(app::Point at, app::PointerButton button = app::PointerButton::left);
@@ -25,9 +32,12 @@ class NullPlatform {
 
   app::App& app() { return app_; }
   app::Store& store() { return store_; }
+  app::Clipboard& clipboard() { return clipboard_; }
 
  private:
-  app::MemoryStore store_;
+  app::MemoryStore memory_;
+  app::Store& store_;
+  app::MemoryClipboard clipboard_;
   app::App app_;
   int width_;
   int height_;

@@ -16,7 +16,7 @@ using nlohmann::json;
 constexpr double longest = 86'400;  ///< s
 constexpr double widest = 100'000;  ///< px
 
-constexpr std::array<std::pair<std::string_view, app::Key>, 11> keys{{
+constexpr std::array<std::pair<std::string_view, app::Key>, 17> keys{{
     {"Return", app::Key::enter},
     {"Space", app::Key::space},
     {"Tab", app::Key::tab},
@@ -28,10 +28,16 @@ constexpr std::array<std::pair<std::string_view, app::Key>, 11> keys{{
     {"Down", app::Key::down},
     {"R", app::Key::r},
     {"N", app::Key::n},
+    {"Backspace", app::Key::backspace},
+    {"+", app::Key::plus},
+    {"-", app::Key::minus},
+    {".", app::Key::period},
+    {"Ctrl+C", app::Key::copy},
+    {"Ctrl+V", app::Key::paste},
 }};
 
 constexpr std::string_view line_form =
-    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\"";
+    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\", \"print\"";
 
 std::optional<app::Point> point(const json& value) {
   if (!value.is_array() || value.size() != 2) return std::nullopt;
@@ -76,8 +82,10 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
     } else if (name == "key") {
       const auto pressed = key(value);
       if (!pressed)
-        return wrong("/key", value,
-                     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down, R or N");
+        return wrong(
+            "/key", value,
+            "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down, R, N, Backspace, "
+            "+, -, ., Ctrl+C or Ctrl+V");
       ++actions;
       result.action = Press{*pressed};
     } else if (name == "screenshot") {
@@ -85,6 +93,10 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
         return wrong("/screenshot", value, "the name of a PNG file to write");
       ++actions;
       result.action = Screenshot{value.get<std::string>()};
+    } else if (name == "print") {
+      if (value != true) return wrong("/print", value, "true");
+      ++actions;
+      result.action = Print{};
     } else if (name != "button") {
       return carom::Error{.pointer = "/" + name,
                           .problem = "is an unknown key",

@@ -26,9 +26,11 @@ struct Screenshot {
   std::string file;
 };
 
+struct Print {};  ///< says what is on screen
+
 struct ScriptLine {
   std::chrono::nanoseconds at{};  ///< from the start
-  std::variant<Click, Move, Press, Screenshot> action;
+  std::variant<Click, Move, Press, Screenshot, Print> action;
 };
 using Script = std::vector<ScriptLine>;
 
@@ -37,6 +39,7 @@ using Script = std::vector<ScriptLine>;
 ///   {"at": 1, "move": [10, 20]}
 ///   {"at": 1.5, "key": "Escape"}
 ///   {"at": 2, "screenshot": "shot.png"}
+///   {"at": 3, "print": true}
 /// Gives all errors, each with its line.
 carom::Result<Script> parse_script(std::string_view text);
 

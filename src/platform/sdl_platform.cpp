@@ -1,6 +1,8 @@
 #include "platform/sdl_platform.hpp"
 
 #include <SDL.h>
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <memory>
@@ -55,7 +57,32 @@ struct Library {
   Library& operator=(const Library&) = delete;
 };
 
+/// The clipboard of the desktop.
+class DesktopClipboard final : public app::Clipboard {
+ public:
+  std::string text() override {
+    const std::unique_ptr<char, decltype(&SDL_free)> text(SDL_GetClipboardText(), SDL_free);
+    return text ? text.get() : "";
+  }
+  bool set_text(const std::string& text) override {
+    return SDL_SetClipboardText(text.c_str()) == 0;
+  }
+};
+
+/// Signs that lie on other keys with every keyboard's layout.
+std::optional<app::Key> key_of(std::string_view typed) {
+  if (typed == "+" || typed == "=") return app::Key::plus;
+  if (typed == "-") return app::Key::minus;
+  if (typed == ".") return app::Key::period;
+  return std::nullopt;
+}
+
 std::optional<app::Key> key_of(const SDL_Keysym& key) {
+  if ((key.mod & KMOD_CTRL) != 0) {
+    if (key.sym == SDLK_c) return app::Key::copy;
+    if (key.sym == SDLK_v) return app::Key::paste;
+    return std::nullopt;
+  }
   switch (key.sym) {
     case SDLK_RETURN:
     case SDLK_KP_ENTER:
@@ -78,6 +105,8 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
       return app::Key::r;
     case SDLK_n:
       return app::Key::n;
+    case SDLK_BACKSPACE:
+      return app::Key::backspace;
     default:
       return std::nullopt;
   }
@@ -86,14 +115,15 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
 class Player {
  public:
   Player(app::Language language, int width, int height, app::Store& store,
-         std::vector<app::Level> levels)
+         std::vector<app::Level> levels, std::optional<replay::Replay> replay)
       : window_(owned(SDL_CreateWindow("Angry Balls", SDL_WINDOWPOS_CENTERED,
                                        SDL_WINDOWPOS_CENTERED, width, height,
                                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI))),
         renderer_(make_renderer()),
-        app_(language, width, height, store, std::move(levels)) {
+        app_(language, width, height, store, clipboard_, std::move(levels)) {
     SDL_SetWindowMinimumSize(window_.get(), smallest_width, smallest_height);
     measure();
+    if (replay) app_.watch(std::move(*replay));
   }
 
   void run() {
@@ -165,6 +195,8 @@ class Player {
         return handle(event.button);
       case SDL_KEYDOWN:
         return handle(event.key);
+      case SDL_TEXTINPUT:
+        return press(key_of(std::string_view(event.text.text)));
       default:
         return false;
     }
@@ -190,11 +222,17 @@ class Player {
       return true;
     }
     const auto key = key_of(press.keysym);
-    // A key held down moves the focus on, and does nothing else again.
-    const bool repeats = press.repeat != 0 && key != app::Key::tab && key != app::Key::back_tab;
-    if (!key || repeats) return false;
-    app_.event(app::KeyPressed{*key});
-    return true;
+    // A key held down moves the focus on and changes a throw, and does nothing else again.
+    constexpr std::array repeating{app::Key::tab,   app::Key::back_tab, app::Key::left,
+                                   app::Key::right, app::Key::up,       app::Key::down};
+    if (press.repeat != 0 && key && std::ranges::find(repeating, *key) == repeating.end())
+      return false;
+    return this->press(key);
+  }
+
+  bool press(std::optional<app::Key> key) {
+    if (key) app_.event(app::KeyPressed{*key});
+    return key.has_value();
   }
 
   void show() {
@@ -238,6 +276,7 @@ class Player {
   Owned<SDL_Texture> texture_;
   int uploaded_side_ = 0;
   std::uint64_t uploaded_version_ = 0;
+  DesktopClipboard clipboard_;
   app::App app_;
   std::string title_;
   float across_ = 1;  ///< pixels a point of the window
@@ -248,10 +287,10 @@ class Player {
 }  // namespace
 
 std::string play_in_window(app::Language language, int width, int height, app::Store& store,
-                           std::vector<app::Level> levels) {
+                           std::vector<app::Level> levels, std::optional<replay::Replay> replay) {
   try {
     const Library sdl;
-    Player(language, width, height, store, std::move(levels)).run();
+    Player(language, width, height, store, std::move(levels), std::move(replay)).run();
     return {};
   } catch (const std::runtime_error& error) {
     return error.what();

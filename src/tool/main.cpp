@@ -3,6 +3,7 @@
 
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
+#include "tool/quadtree.hpp"
 #include "tool/replay.hpp"
 #include "tool/simulate.hpp"
 #include "tool/soak.hpp"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   tool::add_check(carom, status);
   tool::add_replay(carom, status);
   tool::add_soak(carom, status);
+  tool::add_quadtree(carom, status);
   try {
     carom.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

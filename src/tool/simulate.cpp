@@ -26,6 +26,8 @@ struct Options {
   bool until_rest = false;
   std::optional<std::pair<double, double>> launch;
   std::uint64_t max_steps = 1'000'000;
+  std::string broad_phase;
+  int threads = 1;
   std::string trace;
   bool hash = false;
   bool quiet = false;
@@ -80,6 +82,9 @@ int simulate(const Options& options) {
   auto created = carom::World::create(std::move(scene).value());
   if (!created) return report(created.errors(), options.scene);
   carom::World& world = created.value();
+  world.set_threads(options.threads);
+  if (options.broad_phase == "pairs") world.set_broad_phase(carom::BroadPhase::pairs);
+  if (options.broad_phase == "quadtree") world.set_broad_phase(carom::BroadPhase::quadtree);
   if (options.launch) {
     if (!world.has_lead())
       return report({{.problem = "has nothing to throw",
@@ -166,6 +171,19 @@ void add_simulate(CLI::App& carom, int& status) {
                    "First give the projectile, or cue ball, this velocity in px/s")
       ->delimiter(',')
       ->option_text("VX,VY");
+  command
+      ->add_option("--broad-phase", options->broad_phase,
+                   "How colliding balls are found: by testing all pairs, or by the quadtree. It "
+                   "changes the speed only; without it what is quicker is taken")
+      ->check(CLI::IsMember({"pairs", "quadtree"}))
+      ->option_text("pairs|quadtree");
+  command
+      ->add_option(
+          "--threads", options->threads,
+          "How many threads a step may use, from 20000 balls on (default 1). It changes the "
+          "speed only")
+      ->check(CLI::Range(1, carom::max_threads))
+      ->option_text("N");
   command
       ->add_option("--trace", options->trace,
                    "Write every step's balls and events as JSON Lines; - is standard output")

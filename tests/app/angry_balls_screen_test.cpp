@@ -38,7 +38,7 @@ class AngryBallsScreenTest : public testing::Test {
     start();
   }
   void start() {
-    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), campaign);
+    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), session);
     screen->resize(view);
   }
   app::Transition click(app::Point at, app::PointerButton button = app::PointerButton::left) {
@@ -86,7 +86,9 @@ class AngryBallsScreenTest : public testing::Test {
   app::View view = app::View::of(width, height);
   app::Font font;
   app::MemoryStore store;
-  app::Campaign campaign{{}, app::BestScores(store), 0};
+  app::MemoryClipboard clipboard;
+  app::Session session{store, clipboard, {}};
+  app::Campaign& campaign = session.campaign;
   std::unique_ptr<app::AngryBallsScreen> screen;
 };
 

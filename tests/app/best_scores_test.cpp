@@ -91,6 +91,9 @@ struct BadStore : app::Store {
     if (!saves) return carom::Error{.problem = "cannot be written"};
     return carom::Done{};
   }
+  carom::Result<bool> save_new(const std::string&, const std::string&) override { return false; }
+  carom::Status remove(const std::string&) override { return carom::Done{}; }
+  std::vector<std::string> list(const std::string&) override { return {}; }
   carom::Status set_aside(const std::string&) override {
     if (!moves) return carom::Error{.problem = "cannot be moved"};
     return carom::Done{};

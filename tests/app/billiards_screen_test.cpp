@@ -56,7 +56,10 @@ class BilliardsScreenTest : public testing::Test {
   }
 
   app::Font font;
-  app::BilliardsScreen screen{app::Words(app::Language::english)};
+  app::MemoryStore store;
+  app::MemoryClipboard clipboard;
+  app::Session session{store, clipboard, {}};
+  app::BilliardsScreen screen{app::Words(app::Language::english), session};
 };
 
 TEST_F(BilliardsScreenTest, TwoClicksShoot) {
@@ -128,7 +131,7 @@ TEST_F(BilliardsScreenTest, TheCueBallInHandIsPlacedWhereItIsFree) {
 
 TEST_F(BilliardsScreenTest, TheSameShotWhateverTheFrameRate) {
   const auto hash_after = [&](std::chrono::nanoseconds frame) {
-    app::BilliardsScreen other{app::Words(app::Language::english)};
+    app::BilliardsScreen other{app::Words(app::Language::english), session};
     other.resize(app::View::of(1280, 720));
     for (const app::Point at : {window(200, 200), window(560, 230)}) {
       other.event(app::PointerPressed{at});

@@ -1,9 +1,12 @@
 // Nothing overlaps and nothing is cut off, whatever the window's size and the language.
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 
 #include "app/level_view.hpp"
 #include "app/player.hpp"
+#include "app/practice_strip.hpp"
 #include "app/table_view.hpp"
 
 namespace {
@@ -22,6 +25,11 @@ const std::string easy = R"({"carom": 1, "name": "A very long name, as players g
                          std::string(150, '!') + R"(", "width": 1000, "height": 500,
   "balls": [{"x": 110, "y": 120, "role": "projectile", "radius": 12},
             {"x": 200, "y": 120, "role": "enemy", "solidity": 10}]})";
+
+std::string replay_file(const std::string& name) {
+  std::ifstream file(SOURCE_DIR "/tests/replays/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 std::string describe(const Box& box) {
   return "\"" + box.text + "\" at " + std::to_string(box.area.x) + "," +
@@ -190,6 +198,172 @@ TEST_P(Layout, LevelWon) {
   check();
   game.pass(4s);
   check(french ? "Niveau gagné !" : "Level won!");
+}
+
+/// Throws out on the left until the level is lost.
+TEST_P(Layout, PracticeFromTheFirstThrowToTheEnd) {
+  game.press("Angry Balls");
+  game.press(french ? "Exercice" : "Practice");
+  check();
+  choose_level(1);
+  game.pass(3s);
+  check();
+  const app::View view = app::View::of(size.width, size.height);
+  app::Rect world = app::GameLayout::of(view).world;
+  world.cut_bottom(app::PracticeStrip::height(view));
+  carom::Scene level;
+  level.width = 1000;
+  level.height = 500;
+  const app::Point from = app::level_viewport(world, level).to_window({110, 120});
+  for (int i = 0; i < 3; ++i) {
+    game.click(from);
+    check();
+    game.click({from.x - 400, from.y});
+    game.pass(50ms);
+    check();
+    key(app::Key::left);
+    key(app::Key::down);
+    check();
+    game.pass(4s);
+    check();
+    key(app::Key::n);
+  }
+  check(lost);
+  EXPECT_TRUE(game.says(lost)) << game.title();
+  game.press(french ? "Annuler" : "Take back");
+  check();
+}
+
+TEST_P(Layout, PracticeTable) {
+  game.press(french ? "S’exercer" : "Practice");
+  check();
+  game.pass(3s);
+  check();
+  key(app::Key::escape);
+  check();
+}
+
+TEST_P(Layout, ReplayOfBilliardsFromTheFirstTurnToTheLast) {
+  ASSERT_TRUE(game.clipboard().set_text(replay_file("billiards-whole.json")));
+  key(app::Key::paste);
+  check();
+  for (int i = 0; i < 40; ++i) game.pass(20ms);
+  check();
+  for (int i = 0; i < 101; i += 10) {
+    for (int j = 0; j < 10; ++j) key(app::Key::right);
+    check();
+  }
+  key(app::Key::copy);
+  check();
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 9; ++j) key(i == 0 ? app::Key::plus : app::Key::minus);
+    check();
+  }
+  game.press(french ? "Garder" : "Save");
+  check();
+  key(app::Key::escape);
+  game.press(french ? "Revoir" : "Replays");
+  check();
+}
+
+TEST_P(Layout, ReplayOfALevelAndOneThatDiverges) {
+  for (const char* file : {"level-09-won.json", "diverging/another-hash.json"}) {
+    ASSERT_TRUE(game.clipboard().set_text(replay_file(file)));
+    key(app::Key::paste);
+    game.pass(2s);
+    check();
+    key(app::Key::escape);
+  }
+}
+
+TEST_P(Layout, NothingToPaste) {
+  key(app::Key::paste);
+  check(french ? "Rien à montrer" : "Nothing to show");
+  key(app::Key::enter);
+  game.press(french ? "Revoir" : "Replays");
+  check();
+  key(app::Key::paste);
+  check();
+}
+
+TEST_P(Layout, ListOfReplays) {
+  const std::string level = replay_file("level-06-won.json");
+  for (int i = 0; i < 30; ++i)
+    ASSERT_TRUE(game.store().save("replays/replay-" + std::to_string(i) + ".json", level));
+  ASSERT_TRUE(game.store().save("replays/s" + std::string(200, 'y') + ".json", level));
+  ASSERT_TRUE(game.store().save("replays/t.json", replay_file("billiards-whole.json")));
+  ASSERT_TRUE(game.store().save("replays/u.json", "{"));
+  ASSERT_TRUE(game.store().save("replays/v.json", R"({"angry-balls-replay": 2})"));
+  game.press(french ? "Revoir" : "Replays");
+  check();
+  game.press("u\n");
+  check();
+  game.press("›");
+  check();
+}
+
+TEST_P(Layout, GamesKeptAreOffered) {
+  app::MemoryStore store;
+  ASSERT_TRUE(
+      store.save("continue-billiards.json", replay_file("billiards-left-in-the-middle.json")));
+  Player first(std::get<1>(GetParam()), size.width, size.height, {}, store);
+  expect_sound(first.boxes(), size);
+  ASSERT_TRUE(store.save("continue-level.json", replay_file("level-random-lost.json")));
+  Player again(std::get<1>(GetParam()), size.width, size.height, {}, store);
+  expect_sound(again.boxes(), size);
+  const std::string question = french ? "Abandonner la partie ?" : "Give up the game kept?";
+  for (const char* choice : {"Angry Balls", french ? "Billard" : "Billiards"}) {
+    again.press(choice);
+    EXPECT_TRUE(again.says(question));
+    expect_sound(visible(again.boxes(), question), size);
+    again.key(app::Key::escape);
+  }
+  again.press(french ? "Reprendre : Random" : "Continue: Random");
+  expect_sound(again.boxes(), size);
+  again.pass(100ms);
+  // That game is over already.
+  expect_sound(visible(again.boxes(), french ? "Niveau : pas de reprise" : "Level: not continued"),
+               size);
+}
+
+TEST_P(Layout, GamesKeptThatAreBroken) {
+  for (const bool fixed : {false, true}) {
+    struct Fixed : app::MemoryStore {
+      bool fixed = false;
+      carom::Status set_aside(const std::string& name) override {
+        if (fixed) return carom::Error{.problem = "cannot be moved"};
+        return MemoryStore::set_aside(name);
+      }
+    } store;
+    store.fixed = fixed;
+    ASSERT_TRUE(store.save("continue-billiards.json", "{"));
+    ASSERT_TRUE(store.save("continue-level.json", R"({"angry-balls-replay": 2})"));
+    Player broken(std::get<1>(GetParam()), size.width, size.height, {}, store);
+    expect_sound(
+        visible(broken.boxes(), french ? "Billard : pas de reprise" : "Billiards: not continued"),
+        size);
+    broken.key(app::Key::enter);
+    expect_sound(
+        visible(broken.boxes(), french ? "Niveau : pas de reprise" : "Level: not continued"), size);
+  }
+}
+
+TEST(LayoutOfAnySize, IsSurvivedByReplays) {
+  for (const Size size : {Size{1, 1}, {64, 64}, {1, 2000}, {2000, 1}, {130, 97}, {8192, 64}}) {
+    for (const char* file : {"level-09-won.json", "billiards-left-in-the-middle.json"}) {
+      Player game(app::Language::french, size.width, size.height);
+      ASSERT_TRUE(game.clipboard().set_text(replay_file(file)));
+      game.key(app::Key::paste);
+      game.pass(500ms);
+      EXPECT_FALSE(game.boxes().empty());
+      game.click({0, 0});
+      game.click({static_cast<float>(size.width) / 2, static_cast<float>(size.height) - 5});
+      EXPECT_FALSE(game.boxes().empty());
+      for (const app::Key key : {app::Key::escape, app::Key::tab, app::Key::tab, app::Key::enter})
+        game.key(key);
+      EXPECT_FALSE(game.boxes().empty());
+    }
+  }
 }
 
 TEST(LayoutOfAnySize, IsSurvived) {

@@ -65,8 +65,7 @@ TEST(LevelMenu, ManyLevelsArePaged) {
 
 TEST(LevelMenu, IsPlayedByKeysToo) {
   Player game(app::Language::english, 1280, 720);
-  game.key(app::Key::tab);
-  game.key(app::Key::tab);
+  for (int i = 0; i < 3; ++i) game.key(app::Key::tab);
   game.key(app::Key::enter);
   game.key(app::Key::tab);
   game.key(app::Key::right);
@@ -76,14 +75,15 @@ TEST(LevelMenu, IsPlayedByKeysToo) {
 
 TEST(LevelMenu, BestScoresOutliveTheApp) {
   app::MemoryStore store;
+  app::MemoryClipboard clipboard;
   const auto play = [&](auto&& use) {
-    app::App game(app::Language::english, 1280, 720, store, own_levels(1));
+    app::App game(app::Language::english, 1280, 720, store, clipboard, own_levels(1));
     use(game);
   };
   const std::string identity = own_levels(1)[0].identity;
   app::BestScores(store).record(identity, 12300);
   play([](app::App& game) {
-    for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::enter})
+    for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
       game.event(app::KeyPressed{key});
     bool shown = false;
     for (const app::Box& box : game.draw().boxes) shown |= box.text == "Best: 12,300";
@@ -94,9 +94,10 @@ TEST(LevelMenu, BestScoresOutliveTheApp) {
 TEST(LevelMenu, TellsOfScoresThatWereSetAside) {
   Player game(app::Language::english, 1280, 720);
   app::MemoryStore store;
+  app::MemoryClipboard clipboard;
   ASSERT_TRUE(store.save("scores.json", "?"));
-  app::App app(app::Language::english, 1280, 720, store);
-  for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::enter})
+  app::App app(app::Language::english, 1280, 720, store, clipboard);
+  for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
     app.event(app::KeyPressed{key});
   bool shown = false;
   for (const app::Box& box : app.draw().boxes)

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "app/best_scores.hpp"
+#include "app/kept_games.hpp"
+#include "replay/recorder.hpp"
 
 namespace {
 
@@ -53,6 +55,53 @@ TEST_F(DataFolder, SetsAsideWithoutOverwriting) {
   EXPECT_EQ(read("a.json.broken"), "first");
   EXPECT_EQ(read("a.json.broken-2"), "second");
   EXPECT_FALSE(store.load("a.json").value());
+}
+
+TEST_F(DataFolder, SavesANewFileOnlyWhereNoneIs) {
+  EXPECT_TRUE(store.save_new("replays/a.json", "one").value());
+  EXPECT_FALSE(store.save_new("replays/a.json", "two").value());
+  EXPECT_EQ(read("replays/a.json"), "one");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "replays"), {}), 1)
+      << "nothing else is left behind";
+}
+
+TEST_F(DataFolder, ListsTheFilesOfAFolderInOrder) {
+  EXPECT_TRUE(store.list("replays/").empty());
+  for (const char* name : {"replays/b.json", "replays/a.json", "replays/c.txt", "d.json"})
+    ASSERT_TRUE(store.save(name, "x"));
+  fs::create_directories(folder / "replays" / "folder.json");
+  EXPECT_EQ(store.list("replays/"), (std::vector<std::string>{"replays/a.json", "replays/b.json"}));
+}
+
+TEST_F(DataFolder, RemovesWhatIsThereOrNot) {
+  ASSERT_TRUE(store.save("a.json", "one"));
+  EXPECT_TRUE(store.remove("a.json"));
+  EXPECT_TRUE(store.remove("a.json"));
+  EXPECT_FALSE(store.load("a.json").value());
+}
+
+TEST_F(DataFolder, AHugeFileIsNotRead) {
+  write("a.json", "");
+  fs::resize_file(folder / "a.json", platform::FolderStore::max_text);
+  EXPECT_TRUE(store.load("a.json"));
+  fs::resize_file(folder / "a.json", platform::FolderStore::max_text + 1);
+  EXPECT_FALSE(store.load("a.json"));
+}
+
+TEST_F(DataFolder, KeepsAGameAndSetsABrokenOneAside) {
+  write("continue-billiards.json", "{");
+  app::KeptGames kept(store);
+  EXPECT_TRUE(kept.take_refused());
+  EXPECT_EQ(read("continue-billiards.json.broken"), "{");
+  replay::Recorder<games::billiards::Game> game{games::billiards::Game()};
+  ASSERT_TRUE(game.apply(games::billiards::Shoot{{20, 1}}));
+  while (replay::moves(game.game())) game.step();
+  ASSERT_TRUE(kept.keep(game.replay()));
+  app::KeptGames next(store);
+  EXPECT_FALSE(next.take_refused());
+  EXPECT_EQ(next.of(replay::Kind::billiards), game.replay());
+  next.forget(replay::Kind::billiards);
+  EXPECT_FALSE(app::KeptGames(store).of(replay::Kind::billiards));
 }
 
 TEST_F(DataFolder, AFolderInTheWayIsAnError) {

@@ -55,6 +55,18 @@ TEST(NullPlatform, TellsWhatIsOnScreen) {
             "Angry Balls · Joueur 1 vise · Joueur 1 : 0 · Joueur 2 : 0 · boules restantes : 36");
 }
 
+TEST(NullPlatform, PrintsWhatIsOnScreenAndKeepsGamesInAStore) {
+  app::MemoryStore store;
+  NullPlatform game(app::Language::english, 1280, 720, {}, store);
+  const auto script =
+      platform::parse_script(std::string(one_shot) + R"({"at": 30, "print": true})");
+  ASSERT_TRUE(script);
+  std::vector<std::string> printed;
+  ASSERT_TRUE(game.run(script.value(), [&](const std::string& line) { printed.push_back(line); }));
+  EXPECT_EQ(printed, std::vector{game.app().describe()});
+  EXPECT_TRUE(store.load("continue-billiards.json").value());
+}
+
 TEST(NullPlatform, EscapeGoesBackAndThenQuits) {
   Played game(R"({"at": 0.5, "key": "Return"}
 {"at": 1, "key": "Escape"})");

@@ -45,7 +45,7 @@ TEST_P(BadScript, IsReportedWithItsLine) {
 }
 
 constexpr const char* form =
-    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\"";
+    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\", \"print\"";
 const std::string not_json = std::string("file:2: is no JSON object; expected ") + form;
 const std::string unknown = std::string("file:1: /wait: is an unknown key; expected ") + form;
 const std::string nothing = std::string("file:1: is {\"at\":1}; expected ") + form;
@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
             "file:1: /click: is [1,1e+300]; expected a point of the window, [x, y] (px)"},
         Bad{"{\"at\":1,\"key\":\"Q\"}",
             "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down, R or N"},
+            "Right, Up, Down, R, N, Backspace, +, -, ., Ctrl+C or Ctrl+V"},
+        Bad{"{\"at\":1,\"print\":false}", "file:1: /print: is false; expected true"},
         Bad{"{\"at\":1,\"move\":[1,2],\"button\":\"left\"}",
             "file:1: /button: is \"left\"; expected \"left\" or \"right\", beside \"click\""},
         Bad{"{\"at\":1,\"screenshot\":\"\"}",

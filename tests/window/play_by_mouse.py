@@ -15,11 +15,12 @@ WIDTH, HEIGHT = 1280, 720
 
 
 class Window:
-    def __init__(self, program, data, size, *arguments):
+    def __init__(self, program, data, size, *arguments, title="title screen"):
+        self.arguments = (program, data, size, *arguments)
         self.game = subprocess.Popen([program, "--size", size, "--lang", "en", *arguments],
                                      env={**os.environ, "XDG_DATA_HOME": str(data)})
         self.id = None
-        self.wait_for("title screen")
+        self.wait_for(title)
 
     def xdotool(self, *arguments):
         return subprocess.run(["xdotool", *map(str, arguments)], capture_output=True, text=True,
@@ -108,6 +109,65 @@ def billiards(window, pictures):
     window.wait_for("title screen")
 
 
+def practice(window):
+    """A shot, taken back and repeated; practice leaves without a question."""
+    window.click(330, 402)
+    window.wait_for("practice: Player 1 aims")
+    window.click(460, 357)
+    window.click(820, 361)
+    window.wait_for("practice: Player 1 watches")
+    window.key("BackSpace")
+    window.wait_for("practice: Player 1 aims")
+    window.key("r")
+    window.wait_for("practice: Player 1 watches")
+    window.key("Escape")
+    window.wait_for("title screen")
+
+
+def continue_and_replay(window, data):
+    """A game kept is gone on with by a window that knows nothing else; a replay is copied, pasted,
+    and saved."""
+    window.click(220, 402)
+    window.wait_for("Player 1 aims")
+    window.click(418, 379)
+    window.click(300, 350)
+    window.wait_for("Player 2 aims", "Player 2 places")
+    window.game.kill()
+    window.game.wait()
+    window.__init__(*window.arguments)
+    window.key("Return")
+    window.wait_for("Player 2 aims", "Player 2 places")
+    window.game.kill()
+    window.game.wait()
+
+    replay = pathlib.Path(__file__).parents[1] / "replays" / "level-01-won.json"
+    window.__init__(*window.arguments[:3], "--replay", replay, title="replay · First steps")
+    window.key("space")
+    window.wait_for("paused")
+    window.key("plus")
+    window.key("space")
+    window.wait_for("playing ×2")
+    window.wait_for("paused · Score 300 · Verified")
+    window.key("ctrl+c")
+    window.key("Escape")
+    window.wait_for("title screen")
+    window.key("ctrl+v")
+    window.wait_for("replay · First steps · Turn 1 of 1")
+    window.wait_for("Verified")
+    window.click(926, 38)  # Save
+    end = time.monotonic() + 20
+    saved = data / "angry-balls" / "replays" / "replay-0001.json"
+    while not saved.exists() and time.monotonic() < end:
+        time.sleep(0.05)
+    check(saved.exists() and saved.read_bytes() == replay.read_bytes(),
+          "the replay saved is not the one shown")
+    window.key("Escape")
+    window.wait_for("title screen")
+    window.key("Escape")
+    window.wait_for_end()
+    (data / "angry-balls" / "continue-billiards.json").unlink()
+
+
 def angry_balls(window, pictures, data):
     """The window is one in which a level of 1000 × 500 px is shown pixel by pixel."""
     window.click(220, 481)
@@ -140,7 +200,7 @@ def angry_balls(window, pictures, data):
           f"wrong scores: {scores}")
     time.sleep(2.5)
     window.colours_on_screen(pictures / "window-end.png")
-    window.click(705, 480)  # Menu
+    window.click(640, 510)  # Menu
     window.wait_for("level menu")
     window.colours_on_screen(pictures / "window-menu.png")
     window.click(908, 36)  # Title
@@ -156,20 +216,25 @@ def main():
     if not options.in_display:
         environment = {key: value for key, value in os.environ.items()
                        if key not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
-        os.execvpe("xvfb-run", ["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24",
+        # -noreset: or the server would start anew whenever the game has ended.
+        os.execvpe("xvfb-run", ["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24 -noreset",
                                 sys.executable, *sys.argv, "--in-display"], environment)
     with tempfile.TemporaryDirectory() as folder:
         data = pathlib.Path(folder)
         window = Window(options.program, data, f"{WIDTH}x{HEIGHT}")
         billiards(window, options.pictures)
-        window.click(220, 562)  # Quit
+        practice(window)
+        window.click(340, 562)  # Quit
         window.wait_for_end()
+
+        window = Window(options.program, data, f"{WIDTH}x{HEIGHT}")
+        continue_and_replay(window, data)
 
         (data / "angry-balls" / "levels").mkdir(parents=True)
         (data / "angry-balls" / "levels" / "broken.json").write_text("{")
         window = Window(options.program, data, f"1000x{HEIGHT}", data / "not-there.json")
         angry_balls(window, options.pictures, data)
-        window.click(220, 560)
+        window.click(340, 560)
         window.wait_for_end()
     print("played")
 

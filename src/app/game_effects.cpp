@@ -1,0 +1,46 @@
+#include "app/game_effects.hpp"
+
+#include "app/level_view.hpp"
+#include "app/palette.hpp"
+
+namespace app {
+
+namespace angry_balls = games::angry_balls;
+namespace billiards = games::billiards;
+
+void show_step(Effects& effects, const billiards::Game& game, const Words& words) {
+  const carom::Scene& table = game.world().scene();
+  for (const carom::Event& event : game.physics_events()) {
+    if (event.kind != carom::EventKind::pocketed) continue;
+    const bool cue = event.ball == 0;
+    effects.sink(event.position, table.holes[event.other].position,
+                 cue ? carom::default_cue_radius : carom::default_radius,
+                 cue ? ivory_ball : red_ball);
+    for (const billiards::Event& scored : game.events())
+      if (scored.kind == billiards::EventKind::scored && scored.ball == event.ball)
+        effects.float_up(event.position, words(Text::points, {words.number(scored.points)}),
+                         palette::accents[static_cast<std::size_t>(scored.player)]);
+  }
+}
+
+void show_step(Effects& effects, const angry_balls::Game& game, const Words& words) {
+  show_lost_balls(effects, game.physics_events(), game.level());
+  for (const angry_balls::Event& event : game.events())
+    if (event.kind == angry_balls::EventKind::scored)
+      effects.float_up(event.position, words(Text::points, {words.number(event.points)}),
+                       palette::accents[0]);
+}
+
+void show_lost_balls(Effects& effects, std::span<const carom::Event> events,
+                     const carom::Scene& level) {
+  for (const carom::Event& event : events) {
+    const carom::Ball& ball = level.balls[event.ball];
+    const BallLook& look = look_of(ball, ball.solidity, level);
+    if (event.kind == carom::EventKind::destroyed)
+      effects.burst(event.position, ball.radius, look, event.ball);
+    else if (event.kind == carom::EventKind::pocketed)
+      effects.sink(event.position, level.holes[event.other].position, ball.radius, look);
+  }
+}
+
+}  // namespace app

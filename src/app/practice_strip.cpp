@@ -1,0 +1,69 @@
+#include "app/practice_strip.hpp"
+
+#include <array>
+#include <numbers>
+
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+#include "games/launch.hpp"
+
+namespace app {
+namespace {
+
+// In the order of the buttons.
+constexpr std::array keys{Key::backspace, Key::r, Key::down, Key::up, Key::left, Key::right};
+
+/// Of the width, as long as the labels are.
+constexpr std::array shares{0.21f, 0.18f, 0.165f, 0.165f, 0.14f, 0.14f};
+
+PracticeStrip::Command command_of(std::size_t button) {
+  constexpr std::array changes{Change::slower, Change::faster, Change::left, Change::right};
+  if (button == 0) return PracticeStrip::TakeBack{};
+  if (button == 1) return PracticeStrip::Repeat{};
+  return changes[button - 2];
+}
+
+}  // namespace
+
+PracticeStrip::PracticeStrip(const Words& words)
+    : buttons_({words(Text::take_back), words(Text::repeat), words(Text::slower_throw),
+                words(Text::faster_throw), words(Text::turn_left), words(Text::turn_right)}) {}
+
+float PracticeStrip::height(const View& view) { return view.px(48); }
+
+void PracticeStrip::resize(const View& view, const Rect& area) {
+  area_ = area;
+  const float gap = view.px(view.narrow() ? 4 : 8);
+  Rect row = centered(area.center(), std::min(area.w, view.px(760)), area.h).inset(gap, view.px(5));
+  const float room = row.w - gap * static_cast<float>(shares.size() - 1);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    buttons_.place(i, row.cut_left(room * shares[i]));
+    row.cut_left(gap);
+  }
+}
+
+std::optional<PracticeStrip::Command> PracticeStrip::event(const Input& input) {
+  if (const auto* key = std::get_if<KeyPressed>(&input)) {
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (key->key == keys[i]) return command_of(i);
+    return std::nullopt;  // the bar has the focus
+  }
+  const auto chosen = buttons_.event(input);
+  return chosen ? std::optional(command_of(*chosen)) : std::nullopt;
+}
+
+void PracticeStrip::draw(Canvas& canvas) const {
+  fill_rounded(canvas.list, area_, 0,
+               Paint::vertical(area_, palette::slate_top, palette::slate_bottom));
+  line(canvas.list, {area_.x, area_.y}, {area_.right(), area_.y}, canvas.px(1),
+       palette::brass_dark);
+  buttons_.draw(canvas);
+}
+
+std::string practised(const Words& words, carom::Vec2 drag) {
+  const carom::Vec2 velocity = games::launch_velocity(drag);
+  const double degrees = std::atan2(velocity.y, velocity.x) * 180 / std::numbers::pi;
+  return words(Text::practised, {words.tenths(carom::length(velocity)), words.tenths(degrees)});
+}
+
+}  // namespace app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "app/practice.hpp"
+#include "app/text.hpp"
+#include "app/widgets.hpp"
+
+namespace app {
+
+/// The buttons below the world that take back, repeat and change a throw, and their keys.
+class PracticeStrip {
+ public:
+  struct TakeBack {};
+  struct Repeat {};
+  using Command = std::variant<TakeBack, Repeat, Change>;
+
+  explicit PracticeStrip(const Words& words);
+
+  static float height(const View& view);
+  void resize(const View& view, const Rect& area);
+  std::optional<Command> event(const Input& input);
+  bool has_button_at(Point at) const { return buttons_.cover(at); }
+  void draw(Canvas& canvas) const;
+
+ private:
+  Buttons buttons_;
+  Rect area_;
+};
+
+/// "559 px/s, 26.6°": what a repetition would throw.
+std::string practised(const Words& words, carom::Vec2 drag);
+
+}  // namespace app

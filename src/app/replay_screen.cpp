@@ -1,0 +1,418 @@
+#include "app/replay_screen.hpp"
+
+#include <array>
+
+#include "app/game_effects.hpp"
+#include "app/label.hpp"
+#include "app/level_view.hpp"
+#include "app/load_screen.hpp"
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+#include "app/table_view.hpp"
+#include "replay/replay_text.hpp"
+
+namespace app {
+namespace {
+
+enum Button : std::size_t {
+  previous,
+  play,
+  one,
+  following,
+  slower,
+  faster,
+  keep,
+  copy_text,
+  close
+};
+
+struct Speed {
+  int quarters;  ///< of the real speed
+  std::string_view name;
+};
+constexpr std::array speeds{Speed{1, "¼"},  Speed{2, "½"},  Speed{4, "1"},  Speed{8, "2"},
+                            Speed{16, "4"}, Speed{32, "8"}, Speed{64, "16"}};
+constexpr std::size_t real_speed = 2;
+
+constexpr float least_turn_width = 4;  ///< px: denser marks would only be a grey bar
+
+/// Turn and status stand below the buttons, the players are not named.
+bool tight(const View& view) { return view.width < view.px(960); }
+
+}  // namespace
+
+ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player player)
+    : words_(words),
+      session_(session),
+      player_(std::move(player)),
+      speed_(real_speed),
+      buttons_({words(Text::previous_turn), words(Text::pause), words(Text::one_step),
+                words(Text::following_turn), words(Text::slower), words(Text::faster),
+                words(Text::save_replay), words(Text::copy), words(Text::close)}) {
+  motion_.record(replay::world(player_.game()));
+}
+
+void ReplayScreen::resize(const View& view) {
+  view_ = view;
+  const bool narrow = view.narrow();
+  const float gap = view.px(6);
+  Rect rest = view.area();
+  top_ = rest.cut_top(view.px(narrow ? 100 : 64));
+  bottom_ = rest.cut_bottom(view.px(tight(view) ? 138 : 124));
+  world_ = rest;
+
+  const float width = view.px(narrow ? 760 : 1120);
+  Rect top = centered(top_.center(), std::min(top_.w, width), top_.h).inset(view.px(8));
+  Rect commands = narrow ? top.cut_bottom(view.px(40)) : top.cut_right(view.px(336));
+  for (const Button button : {keep, copy_text, close}) {
+    const auto left = static_cast<float>(close - button + 1);
+    buttons_.place(button, commands.cut_left((commands.w - gap * (left - 1)) / left));
+    commands.cut_left(gap);
+  }
+  if (!narrow) top.cut_right(gap * 2);
+  score_ = top.cut_right(std::round(top.w * 0.45f));
+  top.cut_right(gap);
+  name_ = top;
+
+  Rect bottom = centered(bottom_.center(), std::min(bottom_.w, width), bottom_.h)
+                    .inset(view.px(8), view.px(6));
+  timeline_ = bottom.cut_top(view.px(24));
+  bottom.cut_top(view.px(8));
+  Rect row = bottom.cut_top(view.px(40));
+  bottom.cut_top(view.px(4));
+  hint_ = bottom.cut_bottom(view.px(26));
+  const auto controls_width = view.px(76 + 84 + 64 + 76 + 44 + 52 + 44) + 6 * gap;
+  if (tight(view)) {
+    status_ = bottom;
+    turn_ = status_.cut_left(std::round(status_.w * 0.54f));
+    status_.cut_left(gap);
+    row = centered(row.center(), controls_width, row.h);
+  } else {
+    const float side = (row.w - controls_width) / 2 - gap;
+    turn_ = row.cut_left(side);
+    row.cut_left(gap);
+    status_ = row.cut_right(side);
+    row.cut_right(gap);
+  }
+  const auto next = [&](float units) {
+    const Rect box = row.cut_left(view.px(units));
+    row.cut_left(gap);
+    return box;
+  };
+  buttons_.place(previous, next(76));
+  buttons_.place(play, next(84));
+  buttons_.place(one, next(64));
+  buttons_.place(following, next(76));
+  buttons_.place(slower, next(44));
+  speed_label_ = next(52);
+  buttons_.place(faster, next(44));
+
+  const carom::Scene& scene = replay::world(player_.game()).scene();
+  viewport_ = player_.replay().level
+                  ? level_viewport(world_, *player_.replay().level)
+                  : Viewport(world_.inset(view.px(6)), {scene.width, scene.height}, table_margin);
+}
+
+Transition ReplayScreen::event(const Input& input) {
+  const auto* press_at = std::get_if<PointerPressed>(&input);
+  if (press_at && press_at->button == PointerButton::left && timeline_.contains(press_at->at))
+    seek(turn_at(press_at->at));
+  if (const auto* key = std::get_if<KeyPressed>(&input)) {
+    switch (key->key) {
+      case Key::space:
+        return press(play);
+      case Key::period:
+        return press(one);
+      case Key::left:
+        return press(previous);
+      case Key::right:
+        return press(following);
+      case Key::plus:
+      case Key::up:
+        return press(faster);
+      case Key::minus:
+      case Key::down:
+        return press(slower);
+      case Key::copy:
+        return press(copy_text);
+      case Key::escape:
+        return Transition::back;
+      default:
+        break;
+    }
+  }
+  const auto chosen = buttons_.event(input);
+  return chosen ? press(*chosen) : Transition::stay;
+}
+
+Transition ReplayScreen::press(std::size_t button) {
+  message_.clear();
+  const std::size_t now = wanted_.value_or(player_.turn());
+  const bool at_end = ended_ && !wanted_;
+  switch (static_cast<Button>(button)) {
+    case previous: {
+      // First to the start of the turn that is shown.
+      const auto& turns = player_.turns();
+      const bool inside = !wanted_ && !turns.empty() && player_.steps() > turns[now].first_step;
+      seek(inside || now == 0 ? now : now - 1);
+      break;
+    }
+    case following:
+      if (!at_end) seek(now + 1);
+      break;
+    case play:
+      play_or_pause();
+      break;
+    case one:
+      playing_ = false;
+      wanted_.reset();
+      step();
+      break;
+    case slower:
+      change_speed(-1);
+      break;
+    case faster:
+      change_speed(1);
+      break;
+    case keep:
+      save();
+      break;
+    case copy_text:
+      copy();
+      break;
+    case close:
+      return Transition::back;
+  }
+  buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
+  return Transition::stay;
+}
+
+void ReplayScreen::play_or_pause() {
+  if (!playing_ && ended_) seek(0);
+  playing_ = !playing_;
+  clock_.reset();
+}
+
+void ReplayScreen::change_speed(int by) {
+  const auto wanted = static_cast<std::ptrdiff_t>(speed_) + by;
+  if (wanted >= 0 && wanted < static_cast<std::ptrdiff_t>(speeds.size()))
+    speed_ = static_cast<std::size_t>(wanted);
+}
+
+void ReplayScreen::seek(std::size_t turn) {
+  wanted_ = std::min(turn, player_.turns().size());
+  go_where_wanted();
+}
+
+/// As soon as the look-ahead has been there, and no further than it can go.
+void ReplayScreen::go_where_wanted() {
+  if (!wanted_) return;
+  const bool is_end = *wanted_ >= player_.reached_turns();
+  if (is_end && !complete_) return;
+  player_.seek(is_end ? player_.turns().size() : *wanted_);
+  wanted_.reset();
+  ended_ = is_end;
+  if (ended_) playing_ = false;
+  effects_.clear();
+  clock_.reset();
+  motion_.record(replay::world(player_.game()));
+}
+
+void ReplayScreen::step() {
+  const auto& turns = player_.turns();
+  const std::uint64_t before = player_.steps();
+  const bool begins = !turns.empty() && before == turns[player_.turn()].first_step;
+  motion_.record(replay::world(player_.game()));
+  if (!player_.step()) {
+    ended_ = true;
+    playing_ = false;
+    return;
+  }
+  // A ball that was put down has not rolled there.
+  if (begins) motion_.record(replay::world(player_.game()));
+  if (player_.steps() == before) return;
+  std::visit([&](const auto& game) { show_step(effects_, game, words_); }, player_.game());
+}
+
+Transition ReplayScreen::iterate(nanoseconds elapsed) {
+  effects_.advance(elapsed);
+  if (!complete_) complete_ = !player_.look_ahead(steps_at_once(player_));
+  go_where_wanted();
+  if (playing_ && !wanted_) {
+    const int quarters = speeds[speed_].quarters;
+    const auto most = std::min<std::uint64_t>(
+        static_cast<std::uint64_t>(Clock::catch_up * std::max(quarters / 4, 1)),
+        steps_at_once(player_));
+    for (int due = clock_.advance(elapsed * quarters / 4, static_cast<int>(most));
+         due > 0 && playing_; --due)
+      step();
+  }
+  buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
+  return Transition::stay;
+}
+
+bool ReplayScreen::animating() const { return playing_ || !complete_ || effects_.active(); }
+
+void ReplayScreen::save() {
+  const replay::Replay& replay = player_.replay();
+  // The hashes that a text leaves out come from playing it.
+  if (replay.short_hashes && !complete_) {
+    message_ = words_(Text::verifying);
+    return;
+  }
+  const auto name = session_.saved.save(replay);
+  message_ = name ? words_(Text::replay_saved, {name.value()}) : words_(Text::replay_not_saved);
+}
+
+void ReplayScreen::copy() {
+  const bool copied = session_.clipboard.set_text(replay::write_text(player_.replay()));
+  message_ = words_(copied ? Text::replay_copied : Text::replay_not_copied);
+}
+
+std::uint64_t ReplayScreen::total_steps() const {
+  const auto& turns = player_.turns();
+  return turns.empty() ? 0 : turns.back().first_step + turns.back().steps;
+}
+
+std::size_t ReplayScreen::turn_at(Point at) const {
+  const auto part = static_cast<double>((at.x - timeline_.x) / timeline_.w);
+  const double step = part * static_cast<double>(total_steps());
+  const auto& turns = player_.turns();
+  const auto after = std::ranges::upper_bound(turns, step, {}, [](const replay::Turn& turn) {
+    return static_cast<double>(turn.first_step);
+  });
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - turns.begin(), 1) - 1);
+}
+
+void ReplayScreen::draw(Canvas& canvas) const {
+  draw_world(canvas);
+  draw_top(canvas);
+  draw_bottom(canvas);
+}
+
+void ReplayScreen::draw_world(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  const carom::World& world = replay::world(player_.game());
+  const double fraction = playing_ ? clock_.fraction() : 1;
+  if (const auto& level = player_.replay().level) {
+    draw_level(list, world_, viewport_, *level);
+    effects_.draw_under_balls(list, viewport_);
+    draw_level_balls(list, world_, viewport_, world, *level, motion_, fraction);
+  } else {
+    const Rect all = canvas.view.area();
+    fill_rounded(list, all, 0, Paint::vertical(all, palette::slate_top, palette::slate_bottom));
+    draw_table(list, viewport_, world.scene());
+    effects_.draw_under_balls(list, viewport_);
+    draw_balls(list, viewport_, world, motion_, fraction);
+  }
+  effects_.draw_over_balls(canvas, viewport_, world_.inset(canvas.px(4)));
+}
+
+void ReplayScreen::draw_top(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  fill_rounded(list, top_, 0, Paint::vertical(top_, palette::slate_top, palette::slate_bottom));
+  line(list, {top_.x, top_.bottom()}, {top_.right(), top_.bottom()}, canvas.px(1),
+       palette::brass_dark);
+  const TextStyle name{Face::bold, 22, palette::cream};
+  label(canvas, name_, name, elided(canvas, name, title(), name_.w));
+  label(canvas, score_, {Face::bold, 18, palette::brass_lit, Align::right}, score());
+}
+
+void ReplayScreen::draw_bottom(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  fill_rounded(list, bottom_, 0,
+               Paint::vertical(bottom_, palette::slate_top, palette::slate_bottom));
+  line(list, {bottom_.x, bottom_.y}, {bottom_.right(), bottom_.y}, canvas.px(1),
+       palette::brass_dark);
+  draw_timeline(canvas);
+  buttons_.draw(canvas);
+  label(canvas, speed_label_, {Face::bold, 20, palette::cream, Align::center},
+        words_(Text::times, {speeds[speed_].name}));
+  label(canvas, turn_, {Face::bold, 17, palette::cream}, turn());
+  label(canvas, status_, {Face::bold, 17, status_color(), Align::right}, status());
+  const TextStyle hint{Face::regular, 16, message_.empty() ? palette::muted : palette::allowed,
+                       Align::center};
+  label(canvas, hint_, hint,
+        elided(canvas, hint, message_.empty() ? words_(Text::hint_replay) : message_, hint_.w));
+}
+
+/// The whole game from left to right, a part a turn.
+void ReplayScreen::draw_timeline(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  const float radius = canvas.px(5);
+  fill_rounded(list, timeline_, radius, palette::panel);
+  const auto& turns = player_.turns();
+  const auto total = static_cast<float>(std::max<std::uint64_t>(total_steps(), 1));
+  const auto x_of = [&](std::uint64_t step) {
+    return timeline_.x + timeline_.w * static_cast<float>(step) / total;
+  };
+  const bool dense = timeline_.w < least_turn_width * static_cast<float>(turns.size());
+  const bool table = !player_.replay().level;
+  for (std::size_t i = 0; i < turns.size() && !dense; ++i) {
+    const float from = x_of(turns[i].first_step);
+    const float to = x_of(turns[i].first_step + turns[i].steps);
+    const bool reached = i < player_.reached_turns();
+    const auto& wrong = player_.divergence();
+    const Color accent = wrong && i >= wrong->turn ? palette::refused
+                         : table ? palette::accents[static_cast<std::size_t>(turns[i].player)]
+                                 : palette::accents[i % 2];
+    const Rect box{from, timeline_.y, std::max(to - from - 1, 1.0f), timeline_.h};
+    fill_rounded(list, box, canvas.px(3), faded(accent, reached ? 0.55f : 0.2f));
+    // What brought points has a lit top.
+    if (reached && turns[i].points > 0) {
+      Rect lit = box;
+      fill_rounded(list, lit.cut_top(canvas.px(5)), canvas.px(2), palette::brass_lit);
+    }
+  }
+  const float x = x_of(player_.steps());
+  const Rect hand = kept_inside(
+      centered({x, timeline_.center().y}, canvas.px(5), timeline_.h + canvas.px(6)), bottom_);
+  fill_rounded(list, hand, canvas.px(2.5f), palette::cream);
+  stroke_rounded(list, hand, canvas.px(2.5f), 1, palette::ink);
+}
+
+std::string ReplayScreen::title() const {
+  const auto& level = player_.replay().level;
+  if (!level) return words_(Text::billiards);
+  return level->name.empty() ? words_(Text::angry_balls) : words_.level_name(level->name);
+}
+
+std::string ReplayScreen::score() const {
+  const auto points = replay::score(player_.game());
+  if (player_.replay().level) return words_(Text::score) + " " + words_.number(points[0]);
+  return words_(tight(view_) ? Text::score_pair : Text::kept_billiards,
+                {words_.number(points[0]), words_.number(points[1])});
+}
+
+std::string ReplayScreen::turn() const {
+  const auto& turns = player_.turns();
+  const std::size_t now = wanted_.value_or(player_.turn());
+  // Where the game diverges, the turn that it went wrong in.
+  const std::size_t last = complete_ ? player_.reached_turns() : turns.size();
+  const std::size_t shown = std::min(now, std::max<std::size_t>(last, 1) - 1);
+  const std::string number = words_.number(turns.empty() ? 0 : static_cast<int>(shown) + 1);
+  const std::string all = words_.number(static_cast<int>(turns.size()));
+  if (player_.replay().level || shown >= player_.reached_turns())
+    return words_(Text::turn_of_turns, {number, all});
+  return words_(Text::turn_of_player, {number, all, words_.number(turns[shown].player + 1)});
+}
+
+std::string ReplayScreen::status() const {
+  if (const auto& wrong = player_.divergence())
+    return words_(Text::diverged, {words_.number(static_cast<int>(wrong->turn) + 1)});
+  return words_(complete_ ? Text::verified : Text::verifying);
+}
+
+Color ReplayScreen::status_color() const {
+  if (player_.divergence()) return palette::refused;
+  return complete_ ? palette::allowed : palette::muted;
+}
+
+std::string ReplayScreen::describe() const {
+  const std::string now =
+      playing_ ? words_(Text::replay_playing, {speeds[speed_].name}) : words_(Text::replay_paused);
+  return words_(Text::replay_state, {words_(Text::product), words_(Text::replay_title), title(),
+                                     turn(), now, score(), status()});
+}
+
+}  // namespace app

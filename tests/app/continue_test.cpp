@@ -1,0 +1,331 @@
+// The game in progress is kept after every turn, and continued bit by bit at the next start.
+
+#include <fstream>
+#include <iterator>
+
+#include "app/kept_games.hpp"
+#include "app/level_view.hpp"
+#include "app/player.hpp"
+#include "app/practice_strip.hpp"
+#include "app/table_view.hpp"
+#include "replay/player.hpp"
+#include "replay/replay_file.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+using replay::Kind;
+
+constexpr int width = 1000;
+constexpr int height = 720;
+const std::string table_file = "continue-billiards.json";
+const std::string level_file = "continue-level.json";
+
+std::optional<std::string> stored(app::Store& store, const std::string& name) {
+  return store.load(name).value();
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(SOURCE_DIR "/" + path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// One start of the program.
+struct Start : Player {
+  explicit Start(app::Store& shared, app::Language language = app::Language::english)
+      : Player(language, width, height, {}, shared) {}
+
+  app::View view() const { return app::View::of(width, height); }
+
+  void shoot(carom::Vec2 from, carom::Vec2 drag) {
+    app::Rect world = app::GameLayout::of(view()).world;
+    if (says("practice")) world.cut_bottom(app::PracticeStrip::height(view()));
+    const app::Viewport viewport(world.inset(view().px(8)), {800, 400}, app::table_margin);
+    const app::Point at = viewport.to_window(from);
+    click(at);
+    click(at + app::Point{viewport.px(drag.x), -viewport.px(drag.y)});
+  }
+  void watch() {
+    for (int i = 0; i < 4000 && says("watches"); ++i) pass(10ms);
+    EXPECT_FALSE(says("watches"));
+  }
+  void throw_by(float x, float y) {
+    const carom::Scene level = app::shipped_levels()[0].scene.value();
+    const app::Point at = app::level_viewport(app::GameLayout::of(view()).world, level)
+                              .to_window(level.balls[0].position);
+    click(at);
+    click(at + app::Point{x, -y});
+  }
+  void load(std::string_view offer) {
+    press(offer);
+    for (int i = 0; i < 1000 && says("Loading"); ++i) pass(10ms);
+  }
+};
+
+carom::Vec2 cue_of(app::Store& store) {
+  auto player =
+      replay::verify(replay::read_json(stored(store, table_file).value()).value()).value();
+  EXPECT_FALSE(player.divergence());
+  EXPECT_TRUE(player.seek(player.turns().size()));
+  return replay::world(player.game()).ball(0).position;
+}
+
+void first_shot(Start& game) {
+  game.press("Billiards");
+  game.shoot({200, 200}, {-37, 11});
+  game.wait_for("Player 2 aims");
+}
+
+TEST(Continue, ATableGoesOnBitByBit) {
+  app::MemoryStore straight;
+  {
+    Start game(straight);
+    first_shot(game);
+    game.shoot(cue_of(straight), {90, 31});
+    game.watch();
+  }
+  app::MemoryStore broken_off;
+  {
+    Start game(broken_off);
+    first_shot(game);
+    game.shoot(cue_of(broken_off), {44, -60});
+    game.pass(300ms);  // the window is closed while the balls roll
+  }
+  Start game(broken_off);
+  game.load("Continue: billiards, player 2");
+  ASSERT_TRUE(game.says("Player 2 aims")) << game.title();
+  game.shoot(cue_of(broken_off), {90, 31});
+  game.watch();
+  EXPECT_EQ(stored(broken_off, table_file), stored(straight, table_file));
+}
+
+TEST(Continue, ALevelGoesOnBitByBit) {
+  const auto begin = [](Start& game) {
+    game.press("Angry Balls");
+    game.press("First steps");
+    game.throw_by(-60, 10);
+    game.wait_for("next throw");
+  };
+  const auto end = [](Start& game) {
+    game.key(app::Key::n);
+    game.throw_by(-50, 20);
+    game.wait_for("next throw");
+  };
+  app::MemoryStore straight;
+  Start whole(straight);
+  begin(whole);
+  end(whole);
+  app::MemoryStore broken_off;
+  {
+    Start game(broken_off);
+    begin(game);
+  }
+  Start game(broken_off);
+  game.load("Continue: level 1");
+  ASSERT_TRUE(game.says("First steps")) << game.title();
+  EXPECT_TRUE(game.says("throws left: 2"));
+  end(game);
+  EXPECT_EQ(stored(broken_off, level_file), stored(straight, level_file));
+}
+
+TEST(Continue, ALevelThatIsNoLongerOnOffer) {
+  app::MemoryStore store;
+  replay::Replay kept = replay::read_json(content("tests/replays/level-random-lost.json")).value();
+  kept.moves.resize(1);
+  auto player = replay::Player::create(kept).value();
+  while (player.step()) {
+  }
+  kept = replay::read_json(content("tests/replays/level-random-lost.json")).value();
+  kept.moves.resize(1);
+  kept.score = replay::score(player.game());
+  ASSERT_TRUE(store.save(level_file, replay::write_json(kept)));
+  Start game(store);
+  game.load("Continue: Random");
+  EXPECT_TRUE(game.says("Level 11: Random")) << game.title();
+}
+
+TEST(Continue, AGameGivenUpIsNoLongerOffered) {
+  app::MemoryStore store;
+  {
+    Start game(store);
+    first_shot(game);
+    ASSERT_TRUE(stored(store, table_file));
+    game.press("Close");
+    game.press("Leave");
+    EXPECT_FALSE(stored(store, table_file));
+    EXPECT_FALSE(game.shows("Continue"));
+    first_shot(game);
+    game.press("Restart");
+    game.press("New game");
+    EXPECT_FALSE(stored(store, table_file));
+  }
+  Start game(store);
+  EXPECT_FALSE(game.shows("Continue"));
+}
+
+TEST(Continue, ANewGameAsksBeforeItTakesThePlaceOfTheOneKept) {
+  app::MemoryStore store;
+  {
+    Start game(store);
+    first_shot(game);
+  }
+  const auto kept = stored(store, table_file);
+  Start game(store);
+  game.press("Billiards");
+  EXPECT_TRUE(game.says("Give up the game kept?"));
+  game.press("Cancel");
+  EXPECT_EQ(stored(store, table_file), kept);
+  game.press("Billiards");
+  game.load("Continue it");
+  EXPECT_TRUE(game.says("Player 2 aims"));
+  EXPECT_EQ(stored(store, table_file), kept);
+
+  Start again(store);
+  again.press("Billiards");
+  again.press("New game");
+  EXPECT_TRUE(again.says("Player 1 aims"));
+  EXPECT_FALSE(stored(store, table_file));
+}
+
+TEST(Continue, AFinishedLevelIsNoLongerOffered) {
+  app::MemoryStore store;
+  Start game(store);
+  game.press("Angry Balls");
+  game.press("First steps");
+  for (int i = 0; i < 3; ++i) {
+    game.throw_by(-60, 10);
+    game.wait_for(i == 2 ? "click to end" : "next throw");
+    EXPECT_TRUE(stored(store, level_file));
+    game.key(app::Key::n);
+  }
+  EXPECT_TRUE(game.says("Level lost"));
+  EXPECT_FALSE(stored(store, level_file));
+}
+
+TEST(Continue, PracticeKeepsNothing) {
+  app::MemoryStore store;
+  Start game(store);
+  game.press("Practice");
+  ASSERT_TRUE(game.says("practice"));
+  game.shoot({200, 200}, {-37, 11});
+  game.wait_for("Player 2 aims");
+  EXPECT_FALSE(stored(store, table_file));
+  game.press("Close");
+  EXPECT_TRUE(game.says("title screen"));
+}
+
+TEST(Continue, ADiskThatCannotBeWrittenIsTold) {
+  struct FullStore : app::MemoryStore {
+    carom::Status save(const std::string&, const std::string&) override {
+      return carom::Error{.problem = "cannot be written"};
+    }
+  } store;
+  Start game(store);
+  first_shot(game);
+  game.pass(500ms);
+  EXPECT_TRUE(game.shows("This game cannot be kept"));
+}
+
+// Twenty ways in which a file can be wrong.
+
+std::string sound() { return content("tests/replays/billiards-left-in-the-middle.json"); }
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+/// A replay as it would be written if its moves were these, checksum included.
+std::string rewritten(void (*change)(replay::Replay&)) {
+  replay::Replay replay = replay::read_json(sound()).value();
+  change(replay);
+  return replay::write_json(replay);
+}
+
+std::vector<std::string> broken_saves() {
+  const std::string text = sound();
+  std::string flipped = text;
+  flipped[text.size() / 2] = static_cast<char>(flipped[text.size() / 2] ^ 1);
+  std::vector<std::string> saves{
+      "",
+      "{",
+      "null",
+      "[1, 2]",
+      std::string(3, '\0'),
+      "\xff\xfe{\0}",
+      text.substr(0, text.size() - 3),
+      text.substr(0, text.size() / 2),
+      text.substr(1),
+      text + "x",
+      text + text,
+      flipped,
+      replaced(text, "\"angry-balls-replay\": 1", "\"angry-balls-replay\": 2"),
+      replaced(text, "\"physics\": 1", "\"physics\": 2"),
+      replaced(text, "\"rules\": 1", "\"rules\": 99999999999999999999"),
+      replaced(text, "\"game\": \"billiards\"", "\"game\": \"chess\""),
+      replaced(text, "\"steps\": ", "\"steps\": 1"),
+      std::string(1'000'000, '['),
+      std::string(5'000'000, ' ') + text,
+      content("tests/replays/level-01-won.json"),
+      content("scenes/break.json"),
+      content("tests/replays/billiards-left-in-the-middle.txt"),
+      // Whole, but no game goes that way, or it is over: found out when it is continued.
+      rewritten([](replay::Replay& replay) { replay.moves[0].hash ^= 1; }),
+      rewritten([](replay::Replay& replay) { replay.moves[0].steps += 1; }),
+      rewritten([](replay::Replay& replay) { replay.score[1] += 100; }),
+      rewritten([](replay::Replay& replay) {
+        replay.moves.insert(replay.moves.begin(), {games::billiards::Place{{1, 1}}, 0, 0});
+      }),
+      content("tests/replays/billiards-whole.json"),
+  };
+  return saves;
+}
+
+class BrokenSave : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(BrokenSave, IsRefusedSetAsideAndNeverOverwritten) {
+  const std::string broken = broken_saves()[GetParam()];
+  for (const auto language : {app::Language::english, app::Language::french}) {
+    const bool french = language == app::Language::french;
+    app::MemoryStore store;
+    ASSERT_TRUE(store.save(table_file, broken));
+    Start game(store, language);
+    if (game.shows(french ? "Reprendre : billard" : "Continue: billiards")) {
+      game.press(french ? "Reprendre : billard" : "Continue: billiards");
+      for (int i = 0; i < 100; ++i) game.pass(10ms);
+    }
+    EXPECT_TRUE(game.says(french ? "Billard : pas de reprise" : "Billiards: not continued"))
+        << game.title();
+    EXPECT_TRUE(game.shows("continue-billiards.json.broken"));
+    EXPECT_FALSE(stored(store, table_file));
+    EXPECT_EQ(stored(store, table_file + ".broken"), broken);
+    game.press("OK");
+    EXPECT_TRUE(game.says(french ? "écran titre" : "title screen"));
+    if (french) continue;
+    first_shot(game);
+    EXPECT_TRUE(stored(store, table_file));
+    EXPECT_EQ(stored(store, table_file + ".broken"), broken);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BrokenSave, testing::Range(std::size_t{0}, broken_saves().size()));
+
+TEST(BrokenSaves, WhatCannotBeMovedAwayIsNeverOverwritten) {
+  struct FixedStore : app::MemoryStore {
+    carom::Status set_aside(const std::string&) override {
+      return carom::Error{.problem = "cannot be moved"};
+    }
+  } store;
+  ASSERT_TRUE(store.save(table_file, "{"));
+  Start game(store);
+  EXPECT_TRUE(game.shows("New games cannot be kept."));
+  game.press("OK");
+  first_shot(game);
+  EXPECT_EQ(stored(store, table_file), "{");
+  game.press("Close");
+  game.press("Leave");
+  EXPECT_EQ(stored(store, table_file), "{");
+}
+
+}  // namespace

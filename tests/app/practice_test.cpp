@@ -1,0 +1,150 @@
+#include "app/practice.hpp"
+
+#include "app/angry_balls_screen.hpp"
+#include "app/billiards_screen.hpp"
+#include "app/player.hpp"
+#include "games/launch.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+using app::Change;
+using app::Key;
+
+TEST(Practice, ChangesAThrowByOnePixelASecondOrATenthOfADegree) {
+  const carom::Vec2 drag{60, 80};
+  const auto speed = [](carom::Vec2 d) { return carom::length(games::launch_velocity(d)); };
+  EXPECT_NEAR(speed(app::changed(drag, Change::faster)), 501, 1e-9);
+  EXPECT_NEAR(speed(app::changed(drag, Change::slower)), 499, 1e-9);
+  const carom::Vec2 left = app::changed(drag, Change::left);
+  EXPECT_NEAR(carom::length(left), 100, 1e-9);
+  EXPECT_NEAR(std::atan2(left.y, left.x) - std::atan2(80.0, 60.0), 0.1 * std::acos(-1.0) / 180,
+              1e-12);
+  const carom::Vec2 back = app::changed(left, Change::right);
+  EXPECT_NEAR(back.x, 60, 1e-9);
+  EXPECT_NEAR(back.y, 80, 1e-9);
+}
+
+TEST(Practice, StaysWithinWhatCanBeThrown) {
+  EXPECT_EQ(app::changed({400, 0}, Change::faster), (carom::Vec2{400, 0}));
+  EXPECT_NEAR(app::changed({4000, 0}, Change::slower).x, 1999.0 / 5, 1e-9);
+  EXPECT_EQ(app::changed({6, 0}, Change::slower), (carom::Vec2{6, 0}));
+}
+
+class PracticeTable : public testing::Test {
+ protected:
+  PracticeTable() { screen.resize(app::View::of(1280, 720)); }
+  void click(app::Point at) {
+    screen.event(app::PointerPressed{at});
+    screen.event(app::PointerReleased{at});
+  }
+  void shoot(double x, double y) {
+    const carom::Vec2 cue = screen.game().world().ball(0).position;
+    click(screen.viewport().to_window(cue));
+    click(screen.viewport().to_window(cue + carom::Vec2{x, y}));
+  }
+  void key(Key key) { screen.event(app::KeyPressed{key}); }
+  std::uint64_t hash() const { return screen.game().world().state_hash(); }
+  void watch() {
+    while (screen.game().phase() == games::billiards::Phase::roll) screen.iterate(10ms);
+  }
+  app::MemoryStore store;
+  app::MemoryClipboard clipboard;
+  app::Session session{store, clipboard, {}};
+  app::BilliardsScreen screen{app::Words(app::Language::english), session,
+                              app::BilliardsScreen::Mode::practice};
+};
+
+TEST_F(PracticeTable, TakesShotsBackBitByBitAndRepeatsThem) {
+  std::vector<std::uint64_t> before;
+  std::vector<int> players;
+  for (const carom::Vec2 drag : {carom::Vec2{-37, 11}, {300, 20}, {-50, 90}}) {
+    if (screen.game().phase() != games::billiards::Phase::aim) break;
+    before.push_back(hash());
+    players.push_back(screen.game().player());
+    shoot(drag.x, drag.y);
+    ASSERT_EQ(screen.game().phase(), games::billiards::Phase::roll);
+    watch();
+  }
+  const std::uint64_t after = hash();
+  const int score = screen.game().score(0) + screen.game().score(1);
+  key(Key::r);  // takes back and shoots again
+  watch();
+  EXPECT_EQ(hash(), after);
+  EXPECT_EQ(screen.game().score(0) + screen.game().score(1), score);
+  key(Key::backspace);
+  EXPECT_EQ(hash(), before.back());
+  key(Key::r);
+  screen.iterate(100ms);
+  key(Key::backspace);  // in the middle
+  for (std::size_t i = before.size(); i-- > 0; key(Key::backspace)) {
+    EXPECT_EQ(hash(), before[i]);
+    EXPECT_EQ(screen.game().player(), players[i]);
+    EXPECT_EQ(screen.game().phase(), games::billiards::Phase::aim);
+  }
+  EXPECT_EQ(hash(), before.front()) << "nothing more to take back";
+}
+
+TEST_F(PracticeTable, RepeatsWithASmallChange) {
+  shoot(-37, 11);
+  const carom::Vec2 first = screen.game().world().ball(0).velocity;
+  watch();
+  key(Key::up);
+  key(Key::left);
+  key(Key::r);
+  const carom::Vec2 second = screen.game().world().ball(0).velocity;
+  EXPECT_NEAR(carom::length(second), carom::length(first) + 1, 1e-9);
+  EXPECT_NEAR(std::atan2(second.y, second.x) - std::atan2(first.y, first.x),
+              0.1 * std::acos(-1.0) / 180, 1e-12);
+}
+
+TEST_F(PracticeTable, NothingToRepeatAtFirst) {
+  const auto start = hash();
+  for (const Key which : {Key::r, Key::backspace, Key::up, Key::left}) key(which);
+  EXPECT_EQ(hash(), start);
+  EXPECT_EQ(screen.game().phase(), games::billiards::Phase::aim);
+}
+
+TEST(PracticeLevel, TakesThrowsBackAndKeepsNoScore) {
+  app::MemoryStore store;
+  app::MemoryClipboard clipboard;
+  carom::Scene level;
+  level.width = 1000;
+  level.height = 500;
+  level.gravity = 600;
+  level.balls = {{.role = carom::Role::projectile, .position = {100, 12}, .radius = 12},
+                 {.role = carom::Role::enemy, .position = {300, 12}, .radius = 12, .solidity = 10}};
+  app::Session session{store, clipboard, {app::level_of(level)}};
+  session.campaign.practice = true;
+  app::AngryBallsScreen screen(app::Words(app::Language::english), session);
+  screen.resize(app::View::of(1000, 720));
+  const auto key = [&](Key which) { screen.event(app::KeyPressed{which}); };
+  const auto hash = [&] { return screen.game().world().state_hash(); };
+  const auto throw_by = [&](float x) {
+    const app::Point at = screen.viewport().to_window({100, 12});
+    for (const app::Point p : {at, at + app::Point{x, 0}}) {
+      screen.event(app::PointerPressed{p});
+      screen.event(app::PointerReleased{p});
+    }
+  };
+  const auto start = hash();
+  throw_by(150);
+  for (int i = 0; i < 1000; ++i) screen.iterate(10ms);
+  EXPECT_EQ(screen.game().phase(), games::angry_balls::Phase::won);
+  EXPECT_FALSE(session.campaign.best.of(session.campaign.levels[0].identity));
+  EXPECT_FALSE(store.load("continue-level.json").value());
+  EXPECT_FALSE(store.load("scores.json").value());
+  key(Key::tab);
+  key(Key::tab);  // Play again, Take back
+  key(Key::enter);
+  EXPECT_EQ(hash(), start);
+  EXPECT_EQ(screen.game().phase(), games::angry_balls::Phase::aim);
+  EXPECT_EQ(screen.game().throws_left(), 3);
+  EXPECT_EQ(screen.game().score(), 0);
+  key(Key::r);
+  EXPECT_EQ(screen.game().phase(), games::angry_balls::Phase::fly);
+  key(Key::backspace);
+  EXPECT_EQ(hash(), start);
+}
+
+}  // namespace
