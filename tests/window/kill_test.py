@@ -69,8 +69,8 @@ class Game:
             sys.exit(f"{save}: {proof.stdout}{proof.stderr}")
         return int(proof.stdout.split()[1])
 
-    def kill_once(self, script, size, save_name, data, delay):
-        """Returns how many turns were told and how many are kept."""
+    def kill_once(self, script, size, save_name, data, delay, turns):
+        """Returns how many of the turns were told and how many are kept."""
         told_file = self.folder / "told.txt"
         with open(told_file, "w") as told:
             game = subprocess.Popen(self.command(script, data, size), stdout=told,
@@ -79,8 +79,8 @@ class Game:
             game.send_signal(signal.SIGKILL)
             game.wait()
         game.stderr.close()
-        # A whole run ends with one line more, which tells of no new turn.
-        words = told_file.read_text().count("\n") - (1 if game.returncode == 0 else 0)
+        # At its end, even when it is killed after that, it says one line more, of no new turn.
+        words = min(turns, told_file.read_text().count("\n"))
         save = data / save_name
         return words, self.verified_turns(save) if save.exists() else 0, game.returncode != 0
 
@@ -124,7 +124,7 @@ def main():
             data = folder / f"run-{run}"
             data.mkdir()
             told, kept, was_killed = game.kill_once(script, size, SAVES[kind], data,
-                                                    rng.uniform(0, seconds))
+                                                    rng.uniform(0, seconds), turns)
             killed += was_killed
             if not told <= kept <= turns:
                 sys.exit(f"run {run}: {told} turns were told, {kept} are kept")
