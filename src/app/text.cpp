@@ -254,7 +254,8 @@ std::string Words::operator()(Text text, std::initializer_list<std::string_view>
   std::string out;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (pattern[i] == '{') {
-      out += values.begin()[pattern[i + 1] - '0'];
+      const auto n = static_cast<std::size_t>(pattern[i + 1] - '0');
+      if (n < values.size()) out += values.begin()[n];
       i += 2;
     } else {
       out += pattern[i];

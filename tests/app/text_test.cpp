@@ -38,7 +38,7 @@ TEST(Words, EveryTextInEveryLanguage) {
   for (const Language language : {Language::english, Language::french}) {
     for (int i = 0; i < static_cast<int>(Text::count); ++i) {
       const std::string text =
-          Words(language)(static_cast<Text>(i), {"a", "b", "c", "d", "e", "f"});
+          Words(language)(static_cast<Text>(i), {"a", "b", "c", "d", "e", "f", "g"});
       EXPECT_FALSE(text.empty());
       EXPECT_EQ(text.find('{'), std::string::npos) << text;
     }
