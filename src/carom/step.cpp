@@ -38,9 +38,10 @@ class Stepper {
       if (lead_out_) gone_[0] = 1;
       // The friction of a whole step acts once, in its last part.
       move(h, part == k ? scene_.friction : 1.0);
-      if (broad_phase_ == BroadPhase::pairs)
+      const bool automatic = broad_phase_ == BroadPhase::automatic;
+      if (broad_phase_ == BroadPhase::pairs || (automatic && balls_.size() <= all_pairs_balls))
         after_move(AllPairs(balls_, gone_));
-      else if (broad_phase_ == BroadPhase::automatic && balls_.size() <= PackedIndex::max_balls)
+      else if (automatic && balls_.size() <= packed_balls)
         after_move(RowPairs(balls_, gone_, workspace_.packed, workspace_.rows));
       else
         after_move(RowPairs(balls_, gone_, workspace_.tree, workspace_.rows));
@@ -68,7 +69,10 @@ class Stepper {
           size, [&](std::size_t, std::size_t begin, std::size_t end) { action(begin, end); });
   }
 
-  static constexpr std::size_t few_balls = PackedIndex::max_balls;
+  // Up to these numbers of balls the simpler ways are quicker (docs/performance.md).
+  static constexpr std::size_t all_pairs_balls = 6;
+  static constexpr std::size_t packed_balls = 48;
+  static constexpr std::size_t few_balls = 128;
   // With fewer, waking another thread takes longer than what it would do.
   static constexpr std::size_t many_balls = 20'000;
 
