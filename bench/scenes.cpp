@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "games/billiards.hpp"
+#include "soak/random.hpp"
 
 namespace bench {
 
@@ -16,35 +17,16 @@ using carom::Ball;
 using carom::Scene;
 using carom::Vec2;
 
-/// SplitMix64: the standard's distributions differ between libraries, and a start state must not.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+using soak::Random;
 
-  /// In [low, high).
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
+/// A unit vector in any direction, without sin and cos, whose last bits differ between libraries.
+Vec2 direction(Random& random) {
+  for (;;) {
+    const Vec2 v{random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double square = carom::length_squared(v);
+    if (square > 0.01 && square < 1) return v / std::sqrt(square);
   }
-
-  /// A unit vector in any direction, without sin and cos, whose last bits differ between libraries.
-  Vec2 direction() {
-    for (;;) {
-      const Vec2 v{uniform(-1, 1), uniform(-1, 1)};
-      const double square = carom::length_squared(v);
-      if (square > 0.01 && square < 1) return v / std::sqrt(square);
-    }
-  }
-
- private:
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
-
-  std::uint64_t state_;
-};
+}
 
 constexpr double radius = carom::default_radius;
 constexpr double ball_area = std::numbers::pi * radius * radius;
@@ -90,7 +72,7 @@ Scene random_shot(int balls, bool holes, Random& random) {
     placed.push_back(ball);
   }
   scene.balls = placed;
-  scene.balls[0].velocity = random.uniform(200, 2000) * random.direction();
+  scene.balls[0].velocity = random.uniform(200, 2000) * direction(random);
   return scene;
 }
 
@@ -130,9 +112,8 @@ Scene gas(int count) {
     const double dx = random.uniform(-jitter, jitter);
     const double dy = random.uniform(-jitter, jitter);
     const double speed = random.uniform(0, top_speed);
-    scene.balls.push_back({.position = site + Vec2{dx, dy},
-                           .velocity = speed * random.direction(),
-                           .radius = radius});
+    scene.balls.push_back(
+        {.position = site + Vec2{dx, dy}, .velocity = speed * direction(random), .radius = radius});
   }
   return scene;
 }
@@ -153,7 +134,7 @@ Scene dense(int count) {
     const Vec2 site{n % columns + (row % 2 == 0 ? 0.5 : 1), row * row_ratio + 0.5};
     const double speed = random.uniform(0, top_speed);
     scene.balls.push_back(
-        {.position = spacing * site, .velocity = speed * random.direction(), .radius = radius});
+        {.position = spacing * site, .velocity = speed * direction(random), .radius = radius});
   }
   return scene;
 }

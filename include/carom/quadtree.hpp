@@ -51,8 +51,8 @@ class Quadtree {
   /// now on. O(1); after many long moves a whole build().
   void moved(std::size_t i);
 
-  /// Discs whose distance from the disc given is less than zero: those that overlap it. Replaces
-  /// what `found` holds by their indices, ascending.
+  /// Discs that overlap the one given: squared distance of the centres < squared sum of the radii.
+  /// Replaces what `found` holds by their indices, ascending.
   void query_disc(Vec2 centre, double radius, std::vector<std::uint32_t>& found) const;
 
   /// Discs that reach into the box from `low` to `high` (px), its boundary included. Replaces what

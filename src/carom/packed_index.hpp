@@ -20,7 +20,8 @@ namespace carom {
 /// of 16 bits is moved to its border, which brings balls nearer to each other, never apart.
 class PackedIndex {
  public:
-  static constexpr std::size_t max_balls = 128;
+  /// Above, the quadtree is quicker (docs/performance.md).
+  static constexpr std::size_t max_balls = 48;
 
   void build(const Balls& balls) {
     balls_ = &balls;

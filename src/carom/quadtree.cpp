@@ -31,7 +31,7 @@ void sort_unique(std::vector<Item>& items) {
 double largest_of(std::span<const double> numbers) {
   Double2 most{0, 0};
   std::size_t i = 0;
-  for (; i + 2 <= numbers.size(); i += 2) most = max2(most, load2(&numbers[i]));
+  for (; i + 2 <= numbers.size(); i += 2) most = max2(most, load<Double2>(&numbers[i]));
   double largest = std::max(most[0], most[1]);
   for (; i < numbers.size(); ++i) largest = std::max(largest, numbers[i]);
   return largest;
@@ -169,8 +169,8 @@ void Quadtree::sort_into_squares() {
 void Quadtree::squares_of_two(const Level& level, std::size_t begin, std::size_t end) {
   std::size_t i = begin;
   for (; i + 2 <= end; i += 2) {
-    const Long2 columns = coordinates(load2(&x_[i]), level.per_side);
-    const Long2 rows = coordinates(load2(&y_[i]), level.per_side);
+    const Long2 columns = coordinates(load<Double2>(&x_[i]), level.per_side);
+    const Long2 rows = coordinates(load<Double2>(&y_[i]), level.per_side);
     const Long2 squares = (multiply_low(rows, level.stride) + columns) & std::int64_t{level.mask};
     cell_[i] = static_cast<std::uint32_t>(squares[0]);
     cell_[i + 1] = static_cast<std::uint32_t>(squares[1]);
@@ -198,17 +198,14 @@ void Quadtree::place_discs(LevelOf level_of) {
       crew_->share(n, [&](std::size_t, std::size_t begin, std::size_t end) {
         squares_of_two(levels[0], begin, end);
       });
+    levels_[0].largest = largest_of(radius_);
   } else {
     for (std::size_t i = 0; i < n; ++i) {
       const Level& level = levels[level_of(i)];
       square_of[i] = level.first_cell + cell(level, place(level, x[i], y[i]));
+      levels_[level_of(i)].largest = std::max(levels_[level_of(i)].largest, radius[i]);
     }
   }
-  if (levels_.size() == 1)
-    levels_[0].largest = largest_of(radius_);
-  else
-    for (std::size_t i = 0; i < n; ++i)
-      levels_[level_of(i)].largest = std::max(levels_[level_of(i)].largest, radius[i]);
   // Counts are kept two places further on, …
   for (std::size_t i = 0; i < n; ++i) ++starts[square_of[i] + 2];
   std::uint32_t sum = 0;
@@ -232,7 +229,8 @@ void Quadtree::place_discs(LevelOf level_of) {
   if (crew_ == nullptr) {
     std::size_t i = 0;
     for (; i + 2 <= n; i += 2) {
-      const auto two = QuadtreeSearch::rounded2(load2(x + i), load2(y + i), load2(radius + i));
+      const auto two = QuadtreeSearch::rounded2(load<Double2>(x + i), load<Double2>(y + i),
+                                                load<Double2>(radius + i));
       put(i, two[0]);
       put(i + 1, two[1]);
     }

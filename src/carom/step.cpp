@@ -41,7 +41,7 @@ class Stepper {
       const bool automatic = broad_phase_ == BroadPhase::automatic;
       if (broad_phase_ == BroadPhase::pairs || (automatic && balls_.size() <= all_pairs_balls))
         after_move(AllPairs(balls_, gone_));
-      else if (automatic && balls_.size() <= packed_balls)
+      else if (automatic && balls_.size() <= PackedIndex::max_balls)
         after_move(RowPairs(balls_, gone_, workspace_.packed, workspace_.rows));
       else
         after_move(RowPairs(balls_, gone_, workspace_.tree, workspace_.rows));
@@ -71,7 +71,6 @@ class Stepper {
 
   // Up to these numbers of balls the simpler ways are quicker (docs/performance.md).
   static constexpr std::size_t all_pairs_balls = 6;
-  static constexpr std::size_t packed_balls = 48;
   static constexpr std::size_t few_balls = 128;
   // With fewer, waking another thread takes longer than what it would do.
   static constexpr std::size_t many_balls = 20'000;
@@ -100,7 +99,8 @@ class Stepper {
     std::size_t i = first_in_play();
     Long2 fast{};
     for (; i + 2 <= n; i += 2)
-      fast |= too_fast(load2(&balls_.vx[i]), load2(&balls_.vy[i]), load2(&balls_.radius[i]));
+      fast |= too_fast(load<Double2>(&balls_.vx[i]), load<Double2>(&balls_.vy[i]),
+                       load<Double2>(&balls_.radius[i]));
     if ((fast[0] | fast[1]) != 0) return true;
     return i < n && too_fast(balls_.vx[i], balls_.vy[i], balls_.radius[i]);
   }
@@ -280,7 +280,8 @@ class Stepper {
     std::size_t count = 0;
     std::size_t i = 0;
     for (; i + 2 <= balls_.size(); i += 2)
-      for_each_bit(bits(std::bit_cast<Long2>(outside(load2(&balls_.x[i]), load2(&balls_.y[i])))),
+      for_each_bit(bits(std::bit_cast<Long2>(
+                       outside(load<Double2>(&balls_.x[i]), load<Double2>(&balls_.y[i])))),
                    [&](std::uint32_t lane) { near[count++] = i + lane; });
     if (i < balls_.size() && outside(balls_.x[i], balls_.y[i])) near[count++] = i;
     for (std::size_t n = 0; n < scene_.holes.size(); ++n)
@@ -378,9 +379,9 @@ class Stepper {
     const double low = scene_.gravity > 0 ? separation_factor : 1;
     Long2 out{};
     for (std::size_t i = begin; i < begin + block; i += 2) {
-      const Double2 x = load2(&balls_.x[i]);
-      const Double2 y = load2(&balls_.y[i]);
-      const Double2 radius = load2(&balls_.radius[i]);
+      const Double2 x = load<Double2>(&balls_.x[i]);
+      const Double2 y = load<Double2>(&balls_.y[i]);
+      const Double2 radius = load<Double2>(&balls_.radius[i]);
       out |= (x - radius < 0) | (x + radius > scene_.width) | (y - radius < 0) |
              (y + radius > scene_.height) | (y <= low * radius);
     }

@@ -20,12 +20,6 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 using Double2 = double __attribute__((vector_size(16)));
 using Long2 = std::int64_t __attribute__((vector_size(16)));
 
-inline Double2 load2(const double* from) {
-  Double2 two;
-  std::memcpy(&two, from, sizeof two);
-  return two;
-}
-
 template <class Numbers>
 Numbers load(const double* from) {
   Numbers numbers;

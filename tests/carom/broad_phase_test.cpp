@@ -69,10 +69,10 @@ carom::Scene many_balls(double smallest, double largest) {
   const carom::Scene empty = scene;
   while (scene.balls.size() < 24'000) {
     carom::Ball ball;
-    ball.position = {n.between(100, 4900), n.between(100, 4900)};
-    ball.velocity = {n.between(-800, 800), n.between(-800, 800)};
-    ball.radius = n.one_in(50) ? n.between(smallest, largest) : n.between(smallest, 2 * smallest);
-    if (n.one_in(4)) ball.solidity = n.between(0, 20'000);
+    ball.position = {n.uniform(100, 4900), n.uniform(100, 4900)};
+    ball.velocity = {n.uniform(-800, 800), n.uniform(-800, 800)};
+    ball.radius = n.one_in(50) ? n.uniform(smallest, largest) : n.uniform(smallest, 2 * smallest);
+    if (n.one_in(4)) ball.solidity = n.uniform(0, 20'000);
     carom::Scene alone = empty;
     alone.balls = {ball};
     if (carom::check(alone).empty()) scene.balls.push_back(ball);

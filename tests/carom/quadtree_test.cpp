@@ -109,7 +109,7 @@ Discs random_discs(Numbers& n, Kind kind, std::size_t count) {
   const double spread = 15 * std::sqrt(static_cast<double>(count)) + 1;
   Vec2 heap{-7.3, 2.1};
   for (std::size_t i = 0; i < count; ++i) {
-    Vec2 at{n.between(-spread, spread), n.between(-spread, spread)};
+    Vec2 at{n.uniform(-spread, spread), n.uniform(-spread, spread)};
     double radius = 10;
     switch (kind) {
       case Kind::equal:
@@ -118,7 +118,7 @@ Discs random_discs(Numbers& n, Kind kind, std::size_t count) {
         radius = n.one_in(5) ? 8 : 10;
         break;
       case Kind::orders:  // 0.001 to 1000
-        radius = std::pow(10, n.between(-3, 3));
+        radius = std::pow(10, n.uniform(-3, 3));
         break;
       case Kind::outliers:
         if (n.one_in(10)) at = 1e4 * at;
@@ -128,7 +128,7 @@ Discs random_discs(Numbers& n, Kind kind, std::size_t count) {
       case Kind::heaps:
         if (n.one_in(12)) heap = at;
         at = heap;
-        radius = n.between(1, 30);
+        radius = n.uniform(1, 30);
         break;
       case Kind::on_sides:  // of the squares, 26 px wide
         at = {26 * std::round(at.x / 26), 26 * std::round(at.y / 26)};
@@ -145,9 +145,9 @@ Discs random_discs(Numbers& n, Kind kind, std::size_t count) {
 }
 
 Vec2 somewhere(Numbers& n, const Discs& discs) {
-  if (discs.size() == 0 || n.one_in(10)) return {n.between(-1e4, 1e4), n.between(-1e4, 1e4)};
+  if (discs.size() == 0 || n.one_in(10)) return {n.uniform(-1e4, 1e4), n.uniform(-1e4, 1e4)};
   const Vec2 near = discs.centre(n.below(discs.size()));
-  return n.one_in(4) ? near : near + Vec2{n.between(-60, 60), n.between(-60, 60)};
+  return n.one_in(4) ? near : near + Vec2{n.uniform(-60, 60), n.uniform(-60, 60)};
 }
 
 /// What the tree answers otherwise than a look at each disc does; or nothing.
@@ -158,11 +158,11 @@ std::string difference(const Quadtree& tree, const Discs& discs, Numbers& n, int
   std::vector<std::uint32_t> found{7};
   for (int query = 0; query < queries; ++query) {
     const Vec2 at = somewhere(n, discs);
-    const double radius = n.one_in(4) ? 0 : std::pow(10, n.between(-3, 3.5));
+    const double radius = n.one_in(4) ? 0 : std::pow(10, n.uniform(-3, 3.5));
     tree.query_disc(at, radius, found);
     if (found != expected_near(discs, at, radius)) return "others overlap a disc";
-    Vec2 low = n.one_in(2) ? at : at - Vec2{n.between(0, 200), n.between(0, 200)};
-    Vec2 high = n.one_in(4) ? low : low + Vec2{n.between(0, 300), n.between(0, 300)};
+    Vec2 low = n.one_in(2) ? at : at - Vec2{n.uniform(0, 200), n.uniform(0, 200)};
+    Vec2 high = n.one_in(4) ? low : low + Vec2{n.uniform(0, 300), n.uniform(0, 300)};
     if (n.one_in(8)) low.x = -infinity;
     if (n.one_in(8)) low.y = -infinity;
     if (n.one_in(8)) high.x = infinity;
@@ -199,8 +199,8 @@ TEST_P(QuadtreeOf, FindsWhatHasChangedBetweenBuilds) {
     const auto other = static_cast<Kind>(numbers_.below(kinds));
     if (round % 20 == 0) discs = random_discs(numbers_, other, 60);
     if (round % 7 == 0)
-      for (double& radius : discs.radius) radius *= std::pow(10, numbers_.between(-2, 2));
-    for (double& x : discs.x) x += numbers_.between(-30, 30);
+      for (double& radius : discs.radius) radius *= std::pow(10, numbers_.uniform(-2, 2));
+    for (double& x : discs.x) x += numbers_.uniform(-30, 30);
     build(tree, discs);
     ASSERT_EQ(difference(tree, discs, numbers_, 10), "") << "round " << round;
   }
@@ -235,11 +235,11 @@ TEST_P(QuadtreeOf, FindsWhatHasMoved) {
   for (int round = 0; round < 60; ++round) {
     Discs discs = random_discs(numbers_, kind(), 1 + numbers_.below(round % 10 == 0 ? 400 : 40));
     build(tree, discs);
-    const double moves = std::pow(10, numbers_.between(-2, 4));
+    const double moves = std::pow(10, numbers_.uniform(-2, 4));
     for (int after = 0; after < 8; ++after) {
       for (std::uint64_t k = numbers_.below(after == 7 ? 300 : 10); k > 0; --k) {
         const std::size_t i = numbers_.below(discs.size());
-        const Vec2 by{numbers_.between(-moves, moves), numbers_.between(-moves, moves)};
+        const Vec2 by{numbers_.uniform(-moves, moves), numbers_.uniform(-moves, moves)};
         discs.put(i, numbers_.one_in(8) ? somewhere(numbers_, discs) : discs.centre(i) + by);
         tree.moved(i);
       }
@@ -400,8 +400,8 @@ TEST(World, AllocatesNothingInASteadyState) {
       scene.obstacles.push_back({scene.width / 2, 1, 1});
       for (std::size_t i = 0; i < count; ++i)
         scene.balls.push_back(
-            worlds::ball({n.between(10, scene.width - 10), n.between(20, scene.height - 10)},
-                         {n.between(-500, 500), n.between(-500, 500)}));
+            worlds::ball({n.uniform(10, scene.width - 10), n.uniform(20, scene.height - 10)},
+                         {n.uniform(-500, 500), n.uniform(-500, 500)}));
       carom::World world = worlds::make(scene);
       for (int step = 0; step < 2000; ++step) world.step();
       const std::size_t before = allocations;

@@ -28,6 +28,7 @@
 #include "carom/world.hpp"
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
+#include "soak/random.hpp"
 
 namespace {
 
@@ -57,28 +58,18 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// SplitMix64: the same numbers on every machine, from integers alone.
-class Random {
+class Random : soak::Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  using soak::Random::Random;
 
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-  }
   /// A multiple of 1/1024 in [low, high): products and sums of such numbers are exact, so the
   /// scenes are the same even where the engine is compiled wrongly, and differences are the
   /// engine's.
   double uniform(int low, int high) {
     const auto range = static_cast<std::uint64_t>(high - low) * 1024;
-    return low + static_cast<double>(next() % range) / 1024;
+    return low + static_cast<double>(below(range)) / 1024;
   }
-  bool chance(unsigned percent) { return next() % 100 < percent; }
-
- private:
-  std::uint64_t state_;
+  bool chance(unsigned percent) { return below(100) < percent; }
 };
 
 /// Takes the table's lines as they are computed (scene, step, state hash, hash of all events so
