@@ -98,13 +98,17 @@ class World {
  private:
   explicit World(Scene scene);
 
-  /// A copy of a world starts without the original's workspace.
+  /// What a step keeps belongs to the state it was kept for: a copy starts without, an assignment
+  /// drops it.
   struct WorkspaceOwner {
     WorkspaceOwner() = default;
     WorkspaceOwner(const WorkspaceOwner&) {}
     WorkspaceOwner(WorkspaceOwner&&) = default;
-    // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): nothing is assigned.
-    WorkspaceOwner& operator=(const WorkspaceOwner&) { return *this; }
+    // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): to begin anew harms no state.
+    WorkspaceOwner& operator=(const WorkspaceOwner&) {
+      workspace.reset();
+      return *this;
+    }
     WorkspaceOwner& operator=(WorkspaceOwner&&) = default;
     ~WorkspaceOwner() = default;
     std::shared_ptr<Workspace> workspace;  ///< never shared; made by the first step()

@@ -55,6 +55,26 @@ TEST_P(BroadPhases, GiveTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(RandomWorlds, BroadPhases, testing::Range<std::uint64_t>(0, 8));
 
+// What a world's steps keep from call to call belongs to the state it had: an assignment must not
+// leave it to another state.
+TEST(BroadPhase, AnAssignedWorldGoesOnAsTheOriginal) {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    carom::Scene first = random_worlds::scene(seed, 30);
+    carom::Scene second = random_worlds::scene(seed + 1'000'000, 30);
+    const std::size_t count = std::min(first.balls.size(), second.balls.size());
+    first.balls.resize(count);
+    second.balls.resize(count);
+    World original = worlds::make(second);
+    World assigned = worlds::make(first);
+    assigned.step();
+    assigned = original;
+    for (int step = 1; step <= 3; ++step) {
+      ASSERT_TRUE(std::ranges::equal(assigned.step(), original.step())) << "seed " << seed;
+      ASSERT_EQ(assigned.state_hash(), original.state_hash()) << "seed " << seed;
+    }
+  }
+}
+
 // Enough balls that threads are used, crowded, with all that a world can have, of about one size
 // and of many.
 carom::Scene many_balls(double smallest, double largest) {
