@@ -30,9 +30,13 @@ class Writer {
   /// After an error the rest does nothing; commit() tells.
   void write(std::string_view bytes);
   carom::Status commit();
+  /// The same, but never in the place of another file: false when the name is taken. For a path
+  /// that is no device, pipe or "-".
+  carom::Result<bool> commit_new();
 
  private:
   void fail(const char* what);
+  void flush();
 
   std::filesystem::path path_;
   std::filesystem::path aside_;  ///< empty when written directly
@@ -42,5 +46,11 @@ class Writer {
 
 /// A whole file by way of Writer.
 carom::Status write(const std::filesystem::path& path, std::string_view bytes);
+/// The same by Writer::commit_new().
+carom::Result<bool> write_new(const std::filesystem::path& path, std::string_view bytes);
+
+/// Removes from `folder` what a Writer whose process was killed has left aside of files whose names
+/// end in `ending`. What a living process writes stays; so does everything else.
+void remove_abandoned(const std::filesystem::path& folder, std::string_view ending);
 
 }  // namespace files

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
-#include <unistd.h>
+#include <utility>
 
 #include "files/files.hpp"
 
@@ -27,6 +27,11 @@ std::optional<fs::path> data_folder() {
   return std::nullopt;
 }
 
+FolderStore::FolderStore(fs::path folder) : folder_(std::move(folder)) {
+  files::remove_abandoned(folder_, ".json");
+  files::remove_abandoned(folder_ / "replays", ".json");
+}
+
 carom::Result<std::optional<std::string>> FolderStore::load(const std::string& name) {
   std::error_code ignored;
   if (fs::symlink_status(folder_ / name, ignored).type() == fs::file_type::not_found)
@@ -47,17 +52,11 @@ carom::Status FolderStore::save(const std::string& name, const std::string& text
   return files::write(path, text);
 }
 
-// Whole, or not there, and never in the place of another: a link fails where the name is taken.
 carom::Result<bool> FolderStore::save_new(const std::string& name, const std::string& text) {
-  const std::string aside = name + ".new-" + std::to_string(::getpid());
-  if (carom::Status saved = save(aside, text); !saved) return saved.errors();
-  std::error_code error;
-  fs::create_hard_link(folder_ / aside, folder_ / name, error);
+  const fs::path path = folder_ / name;
   std::error_code ignored;
-  fs::remove(folder_ / aside, ignored);
-  if (error == std::errc::file_exists) return false;
-  if (error) return carom::Error{.pointer = name, .problem = error.message()};
-  return true;
+  fs::create_directories(path.parent_path(), ignored);  // write_new() tells if it is not there
+  return files::write_new(path, text);
 }
 
 carom::Status FolderStore::remove(const std::string& name) {

@@ -15,12 +15,13 @@ namespace platform {
 std::optional<std::filesystem::path> data_folder();
 
 /// Keeps texts as files of a folder, made when first needed. A file is replaced as a whole or not
-/// at all. One of more than max_text is not read.
+/// at all; what a process that was killed left half written is removed at the start. One of more
+/// than max_text is not read.
 class FolderStore final : public app::Store {
  public:
   static constexpr std::uintmax_t max_text = 16 << 20;  ///< bytes
 
-  explicit FolderStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit FolderStore(std::filesystem::path folder);
 
   carom::Result<std::optional<std::string>> load(const std::string& name) override;
   carom::Status save(const std::string& name, const std::string& text) override;

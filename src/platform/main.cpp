@@ -95,8 +95,9 @@ int play_script(const Options& options, app::Language language,
   if (!script) return report(script.errors(), name, bad_input);
 
   app::MemoryStore forgetful;
-  platform::FolderStore folder(options.data);
-  app::Store& store = options.data.empty() ? static_cast<app::Store&>(forgetful) : folder;
+  std::optional<platform::FolderStore> folder;
+  if (!options.data.empty()) folder.emplace(options.data);
+  app::Store& store = folder ? static_cast<app::Store&>(*folder) : forgetful;
   platform::NullPlatform game(language, options.size.first, options.size.second,
                               platform::read_levels(options.levels), store);
   if (replay) game.app().watch(std::move(*replay));

@@ -1,10 +1,13 @@
 #include "files/files.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -68,6 +71,50 @@ TEST_F(Files, TellsWhatCannotBeWritten) {
   EXPECT_FALSE(files::write("/dev/full", std::string(100'000, 'x')));
   EXPECT_TRUE(files::write("/dev/null", "bytes"));
   EXPECT_TRUE(fs::is_character_file("/dev/null")) << "a device is written, not replaced";
+}
+
+TEST_F(Files, WritesANewFileOnlyWhereNoneIs) {
+  EXPECT_TRUE(files::write_new(folder_ / "file", "one").value());
+  EXPECT_FALSE(files::write_new(folder_ / "file", "two").value());
+  EXPECT_EQ(files::read(folder_ / "file").value(), "one");
+  EXPECT_EQ(entries(), 1U) << "nothing is left aside";
+  EXPECT_FALSE(files::write_new(folder_ / "no" / "folder", "bytes"));
+}
+
+TEST_F(Files, RemovesOnlyWhatTheKilledLeftAside) {
+  const ::pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    // Killed in the middle, as it were: nothing is committed, nothing cleared away.
+    files::Writer writer(folder_ / "save.json");
+    writer.write("half");
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  const std::string dead = std::to_string(child);
+  ASSERT_TRUE(fs::exists(folder_ / ("save.json.part-" + dead)));
+
+  const std::string alive = "save.json.part-" + std::to_string(::getpid());
+  const std::vector<std::string> others{alive,
+                                        "save.json",
+                                        "video.part-" + dead,
+                                        "save.json.part-",
+                                        ".part-" + dead,
+                                        "save.json.part-0x10",
+                                        "save.json.part--" + dead,
+                                        "save.json.part-0",
+                                        "save.json.part",
+                                        "save.json-" + dead,
+                                        "save.json.part-" + dead + "~"};
+  for (const std::string& name : others) std::ofstream(folder_ / name) << "x";
+  fs::create_directory(folder_ / ("folder.json.part-" + dead));
+  files::remove_abandoned(folder_, ".json");
+  EXPECT_FALSE(fs::exists(folder_ / ("save.json.part-" + dead)));
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_EQ(entries(), others.size() + 1);
+  files::remove_abandoned(folder_ / "nothing", ".json");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "app/best_scores.hpp"
@@ -63,6 +64,24 @@ TEST_F(DataFolder, SavesANewFileOnlyWhereNoneIs) {
   EXPECT_EQ(read("replays/a.json"), "one");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "replays"), {}), 1)
       << "nothing else is left behind";
+}
+
+TEST_F(DataFolder, ClearsAwayAtTheStartWhatTheKilledLeft) {
+  const ::pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  const std::string left = ".json.part-" + std::to_string(child);
+  ASSERT_TRUE(store.save_new("replays/a.json", "x").value());
+  for (const char* name : {"scores", "replays/b", "levels/c"}) {
+    fs::create_directories((folder / name).parent_path());
+    write(name + left, "half");
+  }
+  const platform::FolderStore next(folder);
+  EXPECT_FALSE(fs::exists(folder / ("scores" + left)));
+  EXPECT_FALSE(fs::exists(folder / ("replays/b" + left)));
+  EXPECT_TRUE(fs::exists(folder / "replays/a.json"));
+  EXPECT_TRUE(fs::exists(folder / ("levels/c" + left))) << "the player's own";
 }
 
 TEST_F(DataFolder, ListsTheFilesOfAFolderInOrder) {

@@ -117,6 +117,9 @@ def main():
 
         kept_turns = {}
         killed = 0
+        left_aside = 0
+        nothing = folder / "nothing.jsonl"
+        nothing.write_text("")
         for run in range(options.kills * 3):
             if killed == options.kills:
                 break
@@ -129,6 +132,12 @@ def main():
             if not told <= kept <= turns:
                 sys.exit(f"run {run}: {told} turns were told, {kept} are kept")
             kept_turns[kept] = kept_turns.get(kept, 0) + 1
+            # What was half written when the kill came goes at the next start.
+            if any(data.glob("*.part-*")):
+                left_aside += 1
+                subprocess.run(game.command(nothing, data, size), check=True, capture_output=True)
+                if left := list(data.glob("*.part-*")):
+                    sys.exit(f"run {run}: still there after the next start: {left}")
             if kept and run % 10 == 0:
                 go_on = folder / "go-on.jsonl"
                 go_on.write_text(lines({"at": 0.1, "key": "Return"}, {"at": 2, "print": True}))
@@ -140,7 +149,7 @@ def main():
             sys.exit(f"only {killed} runs were killed in time")
         if len(kept_turns) < 3:
             sys.exit(f"the kills came at too few different moments: {kept_turns}")
-        print(f"{killed} kills, no save lost or broken; turns kept: "
+        print(f"{killed} kills, {left_aside} in the middle of a save, none lost or broken; turns kept: "
               + ", ".join(f"{turns} ({count}×)" for turns, count in sorted(kept_turns.items())))
         print(f"{time.monotonic() - began:.1f} s")
 
