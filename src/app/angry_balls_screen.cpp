@@ -96,17 +96,24 @@ Transition AngryBallsScreen::event(const Input& input) {
     session_.kept.forget(replay::Kind::angry_balls);
     return Transition::levels;
   }
-  if (auto* over = std::get_if<Over>(&state_)) {
-    if (over->wait > nanoseconds{0}) return Transition::stay;
-    const auto chosen = over->dialog.event(input);
-    return chosen ? finish(*chosen) : Transition::stay;
-  }
-  if (practice_) {
+  auto* over = std::get_if<Over>(&state_);
+  // At the end only these two: the others would change what is not seen, or move the focus.
+  if (practice_ && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
       practise(*command);
       return Transition::stay;
     }
   }
+  if (over) {
+    if (over->wait > nanoseconds{0}) return Transition::stay;
+    const auto chosen = over->dialog.event(input);
+    return chosen ? finish(*chosen) : Transition::stay;
+  }
+  auto* offered = std::get_if<NextOffered>(&state_);
+  if (Buttons::move_focus({&bar_.buttons(), practice_ ? &strip_.buttons() : nullptr,
+                           offered ? &offered->prompt : nullptr},
+                          input))
+    return Transition::stay;
   if (const auto command = bar_.event(input)) return obey(*command);
   if (is_key(input, Key::r)) return obey(UserBar::Command::restart);
 
@@ -126,7 +133,7 @@ Transition AngryBallsScreen::event(const Input& input) {
   if (launcher && click) {
     const auto drag = launcher->click(viewport_.to_world(press->at), on_projectile(press->at));
     if (drag) throw_by(*drag);
-  } else if (auto* offered = std::get_if<NextOffered>(&state_)) {
+  } else if (offered) {
     offered->prompt.event(input);
     const bool key =
         is_key(input, Key::n) || is_key(input, Key::enter) || is_key(input, Key::space);
@@ -268,7 +275,8 @@ Dialog AngryBallsScreen::result() {
 bool AngryBallsScreen::moving() const {
   if (question_) return false;
   if (const auto* over = std::get_if<Over>(&state_)) return over->wait > nanoseconds{0};
-  return game().phase() == Phase::fly || game().phase() == Phase::offer;
+  // A level left alone for an hour stands still rather than outgrow what can be kept and watched.
+  return game().phase() == Phase::fly || (game().phase() == Phase::offer && played_.has_room());
 }
 
 bool AngryBallsScreen::animating() const { return !question_ && (moving() || effects_.active()); }

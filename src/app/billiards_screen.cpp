@@ -67,16 +67,20 @@ Transition BilliardsScreen::event(const Input& input) {
     question_.reset();
     return *chosen == 0 ? obey(about) : Transition::stay;
   }
-  if (auto* over = std::get_if<Over>(&state_)) {
-    const auto chosen = over->dialog.event(input);
-    return chosen ? finish(*chosen) : Transition::stay;
-  }
-  if (practice_) {
+  auto* over = std::get_if<Over>(&state_);
+  // At the end only these two: the others would change what is not seen, or move the focus.
+  if (practice_ && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
       practise(*command);
       return Transition::stay;
     }
   }
+  if (over) {
+    const auto chosen = over->dialog.event(input);
+    return chosen ? finish(*chosen) : Transition::stay;
+  }
+  if (Buttons::move_focus({&bar_.buttons(), practice_ ? &strip_.buttons() : nullptr}, input))
+    return Transition::stay;
   if (const auto command = bar_.event(input)) return request(*command);
 
   auto* aiming = std::get_if<Launcher>(&state_);

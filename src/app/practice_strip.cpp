@@ -43,11 +43,11 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
 }
 
 std::optional<PracticeStrip::Command> PracticeStrip::event(const Input& input) {
-  if (const auto* key = std::get_if<KeyPressed>(&input)) {
+  if (const auto* key = std::get_if<KeyPressed>(&input))
     for (std::size_t i = 0; i < keys.size(); ++i)
       if (key->key == keys[i]) return command_of(i);
-    return std::nullopt;  // the bar has the focus
-  }
+  // The focus is moved from outside, through the bar's buttons too.
+  if (is_key(input, Key::tab) || is_key(input, Key::back_tab)) return std::nullopt;
   const auto chosen = buttons_.event(input);
   return chosen ? std::optional(command_of(*chosen)) : std::nullopt;
 }

@@ -22,6 +22,7 @@ class PracticeStrip {
   void resize(const View& view, const Rect& area);
   std::optional<Command> event(const Input& input);
   bool has_button_at(Point at) const { return buttons_.cover(at); }
+  Buttons& buttons() { return buttons_; }
   void draw(Canvas& canvas) const;
 
  private:

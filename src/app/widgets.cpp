@@ -66,6 +66,29 @@ std::optional<std::size_t> Buttons::event(const Input& input) {
   return std::nullopt;
 }
 
+bool Buttons::move_focus(std::initializer_list<Buttons*> groups, const Input& input) {
+  const bool forward =
+      is_key(input, Key::tab) || is_key(input, Key::right) || is_key(input, Key::down);
+  const bool backward =
+      is_key(input, Key::back_tab) || is_key(input, Key::left) || is_key(input, Key::up);
+  if (!forward && !backward) return false;
+  std::size_t all = 0;
+  std::optional<std::size_t> focused;
+  for (const Buttons* group : groups) {
+    if (!group) continue;
+    if (group->focused_) focused = all + *group->focused_;
+    all += group->size();
+  }
+  std::size_t next = forward ? 0 : all - 1;
+  if (focused) next = (*focused + (forward ? 1 : all - 1)) % all;
+  for (Buttons* group : groups) {
+    if (!group) continue;
+    group->focused_ = next < group->size() ? std::optional(next) : std::nullopt;
+    next -= group->size();  // before the group's beginning: a number beyond every end
+  }
+  return true;
+}
+
 void Buttons::draw(Canvas& canvas, float text_size) const {
   for (std::size_t i = 0; i < buttons_.size(); ++i) draw_one(canvas, i, text_size);
 }

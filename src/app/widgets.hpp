@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +25,10 @@ class Buttons {
 
   /// The button that the input sets off, if any.
   std::optional<std::size_t> event(const Input& input);
+  /// The same keys that move the focus within one group of buttons move it through all of `groups`
+  /// (null: none), in their order, as if they were one. Whether `input` was such a key: then it is
+  /// done with.
+  static bool move_focus(std::initializer_list<Buttons*> groups, const Input& input);
   /// A click here is a button's business.
   bool cover(Point at) const { return find(at).has_value(); }
   void draw(Canvas& canvas, float text_size = 16) const;

@@ -54,6 +54,14 @@ class Recorder {
 
   const Game& game() const { return game_; }
 
+  /// Whether one step more leaves the replay within max_move_steps and max_steps.
+  bool has_room() const {
+    if (replay_.moves.empty()) return true;
+    std::uint64_t steps = 0;
+    for (const Move& move : replay_.moves) steps += move.steps;
+    return replay_.moves.back().steps < max_move_steps && steps < max_steps;
+  }
+
   /// The game as it was played up to now. It can be written and read back unless check() finds that
   /// it has grown beyond the limits.
   Replay replay() const {

@@ -153,6 +153,29 @@ TEST_F(AngryBallsScreenTest, KeysTakeTheNextThrow) {
   }
 }
 
+TEST_F(AngryBallsScreenTest, LeftAloneForAnHourItStandsStillAndIsStillKept) {
+  app::LevelRecorder recorder(games::angry_balls::Game::create(small_level()).value());
+  ASSERT_TRUE(recorder.apply(games::angry_balls::Throw{{-60, 0}}));
+  while (recorder.game().phase() != Phase::offer) recorder.step();
+  replay::Replay played = recorder.replay();
+  played.moves.back().steps = replay::max_move_steps - 5;  // as if it had waited for so long
+  const auto steps = recorder.game().world().steps();
+  screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), session,
+                                                   app::LevelRecorder(recorder.game(), played));
+  screen->resize(view);
+  pass(30ms);
+  EXPECT_TRUE(screen->animating());
+  pass(5s);
+  EXPECT_FALSE(screen->animating());
+  EXPECT_EQ(screen->game().world().steps(), steps + 5);
+  key(app::Key::n);
+  EXPECT_EQ(screen->game().phase(), Phase::aim);
+  const auto& kept = session.kept.of(replay::Kind::angry_balls);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->moves.size(), 2U);
+  EXPECT_EQ(kept->moves[0].steps, replay::max_move_steps);
+}
+
 TEST_F(AngryBallsScreenTest, PointsAreShownWhereTheyAreMade) {
   throw_by(150, 0);
   for (int i = 0; i < 300 && screen->game().score() == 0; ++i) screen->iterate(10ms);

@@ -2,6 +2,7 @@
 
 #include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
+#include "app/greedy_player.hpp"
 #include "app/player.hpp"
 #include "games/launch.hpp"
 
@@ -98,6 +99,47 @@ TEST_F(PracticeTable, RepeatsWithASmallChange) {
               0.1 * std::acos(-1.0) / 180, 1e-12);
 }
 
+TEST_F(PracticeTable, TabReachesEveryButton) {
+  const auto start = hash();
+  shoot(-37, 11);
+  watch();
+  const auto after = hash();
+  ASSERT_NE(after, start);
+  for (int i = 0; i < 3; ++i) key(Key::tab);  // Restart, Close, Take back
+  key(Key::enter);
+  EXPECT_EQ(hash(), start);
+  key(Key::tab);
+  key(Key::space);  // Repeat
+  watch();
+  EXPECT_EQ(hash(), after);
+  for (int i = 0; i < 3; ++i) key(Key::back_tab);
+  key(Key::enter);  // Restart
+  EXPECT_EQ(hash(), start);
+}
+
+TEST_F(PracticeTable, KeysTakeBackAndRepeatAtTheEndToo) {
+  auto before = hash();
+  for (int turns = 0; screen.game().phase() != games::billiards::Phase::over; ++turns) {
+    ASSERT_LT(turns, 1000);
+    if (screen.game().phase() == games::billiards::Phase::place)
+      click(greedy::choose_place(screen.game(), screen.viewport()));
+    before = hash();
+    const auto shot = greedy::choose_shot(screen.game(), screen.viewport(), 3);
+    click(shot.grab);
+    click(shot.target);
+    watch();
+  }
+  const auto end = hash();
+  key(Key::r);
+  EXPECT_EQ(screen.game().phase(), games::billiards::Phase::roll);
+  watch();
+  EXPECT_EQ(hash(), end);
+  EXPECT_EQ(screen.game().phase(), games::billiards::Phase::over);
+  key(Key::backspace);
+  EXPECT_EQ(hash(), before);
+  EXPECT_EQ(screen.game().phase(), games::billiards::Phase::aim);
+}
+
 TEST_F(PracticeTable, NothingToRepeatAtFirst) {
   const auto start = hash();
   for (const Key which : {Key::r, Key::backspace, Key::up, Key::left}) key(which);
@@ -145,6 +187,20 @@ TEST(PracticeLevel, TakesThrowsBackAndKeepsNoScore) {
   EXPECT_EQ(screen.game().phase(), games::angry_balls::Phase::fly);
   key(Key::backspace);
   EXPECT_EQ(hash(), start);
+
+  // The keys do the same in the window of the end, and before it opens.
+  for (const auto wait : {3000ms, 0ms}) {
+    key(Key::r);
+    while (screen.game().phase() == games::angry_balls::Phase::fly) screen.iterate(10ms);
+    ASSERT_EQ(screen.game().phase(), games::angry_balls::Phase::won);
+    for (auto time = 0ms; time < wait; time += 10ms) screen.iterate(10ms);
+    key(Key::r);
+    EXPECT_EQ(screen.game().phase(), games::angry_balls::Phase::fly);
+    while (screen.game().phase() == games::angry_balls::Phase::fly) screen.iterate(10ms);
+    key(Key::backspace);
+    EXPECT_EQ(hash(), start);
+    EXPECT_EQ(screen.game().phase(), games::angry_balls::Phase::aim);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/widgets.hpp"
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace {
 
@@ -42,6 +43,29 @@ TEST_F(ButtonsTest, EnterMeansThePrimaryButtonUntilAnotherHasTheFocus) {
   EXPECT_EQ(key(Key::space), 0u);
   key(Key::back_tab);
   EXPECT_EQ(key(Key::space), 1u);
+}
+
+TEST_F(ButtonsTest, TheFocusGoesThroughGroupsAsIfTheyWereOne) {
+  app::Buttons others{{"third"}};
+  const auto tab = [&](Key key) {
+    return app::Buttons::move_focus({&buttons, nullptr, &others}, app::KeyPressed{key});
+  };
+  const auto focus = [&] {
+    return std::vector{buttons.focused(0), buttons.focused(1), others.focused(0)};
+  };
+  const std::vector first{true, false, false}, second{false, true, false},
+      third{false, false, true};
+  EXPECT_FALSE(tab(Key::enter));
+  EXPECT_TRUE(tab(Key::back_tab));
+  EXPECT_EQ(focus(), third);
+  for (const auto& expected : {first, second, third, first}) {
+    EXPECT_TRUE(tab(Key::tab));
+    EXPECT_EQ(focus(), expected);
+  }
+  for (const auto& expected : {third, second, first}) {
+    EXPECT_TRUE(tab(Key::back_tab));
+    EXPECT_EQ(focus(), expected);
+  }
 }
 
 TEST_F(ButtonsTest, TheRightButtonPressesNothing) {

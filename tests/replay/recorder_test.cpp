@@ -99,6 +99,25 @@ TEST(Recorder, GoesOnWithAGameThatWasKept) {
   expect_verified(recorder.replay());
 }
 
+TEST(Recorder, TellsWhenTheNextStepWouldGoBeyondTheLimits) {
+  const auto recorder = short_level();
+  EXPECT_TRUE(recorder.has_room());
+  replay::Replay longest = recorder.replay();
+  longest.moves.back().steps = replay::max_move_steps - 1;
+  EXPECT_TRUE(replay::Recorder(recorder.game(), longest).has_room());
+  longest.moves.back().steps = replay::max_move_steps;
+  EXPECT_TRUE(check(longest).empty());
+  EXPECT_FALSE(replay::Recorder(recorder.game(), longest).has_room());
+
+  longest.moves.assign(replay::max_steps / replay::max_move_steps + 1, longest.moves[0]);
+  for (replay::Move& move : longest.moves) move.steps = replay::max_move_steps;
+  longest.moves.back().steps = replay::max_steps % replay::max_move_steps;
+  EXPECT_TRUE(check(longest).empty());
+  EXPECT_FALSE(replay::Recorder(recorder.game(), longest).has_room());
+  --longest.moves.back().steps;
+  EXPECT_TRUE(replay::Recorder(recorder.game(), longest).has_room());
+}
+
 TEST(Recorder, AGameBeyondTheLimitsIsFoundOut) {
   replay::Replay replay = short_level().replay();
   EXPECT_TRUE(check(replay).empty());
