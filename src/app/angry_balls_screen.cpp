@@ -31,14 +31,14 @@ AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session)
           LevelRecorder(angry_balls::Game::create(
                             session.campaign.levels[session.campaign.current].scene.value())
                             .value())) {
-  if (campaign_.practice) practice_.emplace();
+  if (campaign_.practice) played_.begin_practice();
 }
 
 AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session, LevelRecorder played)
     : words_(words),
       session_(session),
       campaign_(session.campaign),
-      played_(std::move(played)),
+      played_(session, std::move(played)),
       bar_(words),
       strip_(words) {
   announce_level();
@@ -63,7 +63,8 @@ std::string AngryBallsScreen::title() const {
 void AngryBallsScreen::resize(const View& view) {
   view_ = view;
   layout_ = GameLayout::of(view);
-  if (practice_) strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
+  if (played_.practice())
+    strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
   viewport_ = level_viewport(layout_.world, game().level());
   pointer_ = viewport_.to_window(game().launch_place());
@@ -93,14 +94,14 @@ Transition AngryBallsScreen::event(const Input& input) {
     if (!chosen) return Transition::stay;
     question_.reset();
     if (*chosen != 0) return Transition::stay;
-    session_.kept.forget(replay::Kind::angry_balls);
+    played_.forget();
     return Transition::levels;
   }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
-  if (practice_ && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
+  if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      practise(*command);
+      if (played_.practise(*command)) show_anew();
       return Transition::stay;
     }
   }
@@ -110,7 +111,7 @@ Transition AngryBallsScreen::event(const Input& input) {
     return chosen ? finish(*chosen) : Transition::stay;
   }
   auto* offered = std::get_if<NextOffered>(&state_);
-  if (Buttons::move_focus({&bar_.buttons(), practice_ ? &strip_.buttons() : nullptr,
+  if (Buttons::move_focus({&bar_.buttons(), played_.practice() ? &strip_.buttons() : nullptr,
                            offered ? &offered->prompt : nullptr},
                           input))
     return Transition::stay;
@@ -129,10 +130,10 @@ Transition AngryBallsScreen::event(const Input& input) {
 
   const bool click = press && press->button == PointerButton::left &&
                      !bar_.has_button_at(press->at) &&
-                     !(practice_ && strip_.has_button_at(press->at));
+                     !(played_.practice() && strip_.has_button_at(press->at));
   if (launcher && click) {
     const auto drag = launcher->click(viewport_.to_world(press->at), on_projectile(press->at));
-    if (drag) throw_by(*drag);
+    if (drag && played_.launch(*drag)) follow_phase();
   } else if (offered) {
     offered->prompt.event(input);
     const bool key =
@@ -145,26 +146,8 @@ Transition AngryBallsScreen::event(const Input& input) {
   return Transition::stay;
 }
 
-void AngryBallsScreen::throw_by(carom::Vec2 drag) {
-  auto before = practice_ ? std::optional(played_) : std::nullopt;
-  if (!played_.apply(angry_balls::Throw{drag})) return;
-  if (before) practice_->thrown(std::move(*before), drag);
-  follow_phase();
-}
-
-void AngryBallsScreen::practise(const PracticeStrip::Command& command) {
-  if (const auto* change = std::get_if<Change>(&command)) return practice_->change(*change);
-  const bool repeat = std::holds_alternative<PracticeStrip::Repeat>(command);
-  if (!repeat || !practice_->ready()) {
-    auto before = practice_->take_back();
-    if (!before) return;
-    played_ = std::move(*before);
-    begin_again();
-  }
-  if (repeat) throw_by(*practice_->drag());
-}
-
-void AngryBallsScreen::begin_again() {
+/// The game has gone elsewhere: to its start, back, or back and on.
+void AngryBallsScreen::show_anew() {
   effects_.clear();
   trace_.clear();
   turn_points_ = 0;
@@ -177,19 +160,15 @@ bool AngryBallsScreen::on_projectile(Point at) const {
 
 Transition AngryBallsScreen::obey(UserBar::Command command) {
   const bool under_way =
-      game().world().steps() > 0 && !std::holds_alternative<Over>(state_) && !practice_;
+      game().world().steps() > 0 && !std::holds_alternative<Over>(state_) && !played_.practice();
   if (command == UserBar::Command::close) {
     if (!under_way) return Transition::levels;
     question_.emplace(words_(Text::ask_leave_level),
                       std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
                       std::vector{words_(Text::leave), words_(Text::keep_playing)});
     place_parts();
-  } else if (played_.apply(angry_balls::Restart{})) {
-    if (practice_)
-      practice_->restart();
-    else
-      session_.kept.forget(replay::Kind::angry_balls);
-    begin_again();
+  } else if (played_.restart()) {
+    show_anew();
     announce_level();
   }
   return Transition::stay;
@@ -205,11 +184,11 @@ Transition AngryBallsScreen::finish(std::size_t button) {
     case again:
       return obey(UserBar::Command::restart);
     case watch:
-      if (practice_) {
-        practise(PracticeStrip::TakeBack{});
+      if (played_.practice()) {
+        if (played_.practise(TakeBack{})) show_anew();
         return Transition::stay;
       }
-      session_.to_watch = played_.replay();
+      session_.to_watch = played_.recorder().replay();
       return Transition::replay;
     default:
       return Transition::levels;
@@ -246,7 +225,7 @@ Dialog AngryBallsScreen::result() {
   const bool won = game().phase() == Phase::won;
   std::vector<Dialog::Line> lines;
   lines.push_back({words_(Text::score), words_.number(game().score()), {}});
-  if (practice_) {
+  if (played_.practice()) {
     lines.push_back({words_(Text::practice_only), {}, {}});
   } else if (won) {
     const std::string& identity = campaign_.levels[campaign_.current].identity;
@@ -265,9 +244,9 @@ Dialog AngryBallsScreen::result() {
   } else {
     lines.push_back({words_(Text::enemies_remain, {words_.number(game().enemies_left())}), {}, {}});
   }
-  std::vector<std::string> buttons{words_(Text::play_again),
-                                   words_(practice_ ? Text::take_back : Text::watch_replay),
-                                   words_(Text::menu)};
+  std::vector<std::string> buttons{
+      words_(Text::play_again), words_(played_.practice() ? Text::take_back : Text::watch_replay),
+      words_(Text::menu)};
   if (won && campaign_.next()) buttons.insert(buttons.begin(), words_(Text::next_level));
   return {words_(won ? Text::won : Text::lost), std::move(lines), std::move(buttons)};
 }
@@ -276,7 +255,8 @@ bool AngryBallsScreen::moving() const {
   if (question_) return false;
   if (const auto* over = std::get_if<Over>(&state_)) return over->wait > nanoseconds{0};
   // A level left alone for an hour stands still rather than outgrow what can be kept and watched.
-  return game().phase() == Phase::fly || (game().phase() == Phase::offer && played_.has_room());
+  return game().phase() == Phase::fly ||
+         (game().phase() == Phase::offer && played_.recorder().has_room());
 }
 
 bool AngryBallsScreen::animating() const { return !question_ && (moving() || effects_.active()); }
@@ -312,13 +292,8 @@ void AngryBallsScreen::step() {
   keep();
 }
 
-/// After every throw, and when the next one is taken.
 void AngryBallsScreen::keep() {
-  if (practice_) return;
-  if (game().phase() == Phase::won || game().phase() == Phase::lost)
-    return session_.kept.forget(replay::Kind::angry_balls);
-  if (session_.kept.keep(played_.replay()) || std::exchange(told_not_kept_, true)) return;
-  effects_.announce(words_(Text::not_kept), {}, {});
+  if (!played_.keep()) effects_.announce(words_(Text::not_kept), {}, {});
 }
 
 void AngryBallsScreen::trace_projectile() {
@@ -340,7 +315,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   if (launcher) {
     if (launcher->aim.active())
       draw_aim(list, viewport_, game().world(), launcher->aim);
-    else if (const Aim shown = planned(practice_, game().world().ball(0)); shown.active())
+    else if (const Aim shown = planned(played_.practice(), game().world().ball(0)); shown.active())
       draw_aim(list, viewport_, game().world(), shown);
     else
       draw_invitation(list, viewport_, game().world().ball(0), on_projectile(pointer_),
@@ -360,7 +335,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   content.throws_left = game().throws_left();
   content.enemies_left = game().enemies_left();
   bar_.draw(canvas, content);
-  if (practice_) strip_.draw(canvas);
+  if (played_.practice()) strip_.draw(canvas);
   fill_rounded(list, layout_.footer, 0,
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
@@ -383,8 +358,8 @@ std::string AngryBallsScreen::hint() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
   const bool idle = launcher ? !launcher->aim.active() && !launcher->missed
                              : std::holds_alternative<WatchThrow>(state_);
-  if (practice_ && practice_->drag() && idle)
-    return words_(Text::hint_repeat, {practised(words_, *practice_->drag())});
+  if (const auto& practice = played_.practice(); practice && practice->drag() && idle)
+    return words_(Text::hint_repeat, {practised(words_, *practice->drag())});
   if (launcher) {
     if (launcher->aim.active())
       return words_(launcher->refused && launcher->aim.too_weak() ? Text::hint_too_weak
@@ -417,7 +392,7 @@ std::string AngryBallsScreen::describe() const {
     }
     return std::get<Over>(state_).dialog.title();
   }();
-  if (practice_) now = words_(Text::practice_state, {now});
+  if (played_.practice()) now = words_(Text::practice_state, {now});
   return words_(Text::level_state,
                 {words_(Text::product), title(), now, words_.number(game().score()),
                  words_.number(game().throws_left()), words_.number(game().enemies_left())});

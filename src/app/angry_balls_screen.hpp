@@ -9,6 +9,7 @@
 #include "app/launcher.hpp"
 #include "app/level_bar.hpp"
 #include "app/motion.hpp"
+#include "app/played.hpp"
 #include "app/practice_strip.hpp"
 #include "app/screen.hpp"
 #include "app/session.hpp"
@@ -55,9 +56,7 @@ class AngryBallsScreen final : public Screen {
   void place_parts();
   void step();
   void keep();
-  void throw_by(carom::Vec2 drag);
-  void practise(const PracticeStrip::Command& command);
-  void begin_again();
+  void show_anew();
   void trace_projectile();
   void announce_level();
   Dialog result();
@@ -76,9 +75,7 @@ class AngryBallsScreen final : public Screen {
   Words words_;
   Session& session_;
   Campaign& campaign_;
-  LevelRecorder played_;
-  std::optional<Practice<LevelRecorder>> practice_;
-  bool told_not_kept_ = false;
+  Played<games::angry_balls::Game> played_;
   State state_ = Launcher{};
   std::optional<Dialog> question_;  ///< whether to leave
   int turn_points_ = 0;

@@ -35,11 +35,15 @@ Text reason(Obstruction obstruction) {
 
 BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Mode mode)
     : BilliardsScreen(words, session, BilliardsRecorder(billiards::Game())) {
-  if (mode == Mode::practice) practice_.emplace();
+  if (mode == Mode::practice) played_.begin_practice();
 }
 
 BilliardsScreen::BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played)
-    : words_(words), session_(session), played_(std::move(played)), bar_(words), strip_(words) {
+    : words_(words),
+      session_(session),
+      played_(session, std::move(played)),
+      bar_(words),
+      strip_(words) {
   announce_turn(game().player(), {});
   follow_phase();
 }
@@ -47,7 +51,8 @@ BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Billiards
 void BilliardsScreen::resize(const View& view) {
   view_ = view;
   layout_ = GameLayout::of(view);
-  if (practice_) strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
+  if (played_.practice())
+    strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
   const carom::Scene& table = game().world().scene();
   viewport_ = Viewport(layout_.world.inset(view.px(8)), {table.width, table.height}, table_margin);
@@ -69,9 +74,9 @@ Transition BilliardsScreen::event(const Input& input) {
   }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
-  if (practice_ && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
+  if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      practise(*command);
+      if (played_.practise(*command)) show_anew();
       return Transition::stay;
     }
   }
@@ -79,7 +84,8 @@ Transition BilliardsScreen::event(const Input& input) {
     const auto chosen = over->dialog.event(input);
     return chosen ? finish(*chosen) : Transition::stay;
   }
-  if (Buttons::move_focus({&bar_.buttons(), practice_ ? &strip_.buttons() : nullptr}, input))
+  if (Buttons::move_focus({&bar_.buttons(), played_.practice() ? &strip_.buttons() : nullptr},
+                          input))
     return Transition::stay;
   if (const auto command = bar_.event(input)) return request(*command);
 
@@ -95,7 +101,7 @@ Transition BilliardsScreen::event(const Input& input) {
   } else if (is_key(input, Key::r)) {
     return request(UserBar::Command::restart);
   } else if (press && press->button == PointerButton::left && !bar_.has_button_at(press->at) &&
-             !(practice_ && strip_.has_button_at(press->at))) {
+             !(played_.practice() && strip_.has_button_at(press->at))) {
     if (aiming)
       click(*aiming, press->at);
     else if (auto* placing = std::get_if<PlaceBall>(&state_))
@@ -107,28 +113,7 @@ Transition BilliardsScreen::event(const Input& input) {
 void BilliardsScreen::click(Launcher& launcher, Point at) {
   const auto drag = launcher.click(viewport_.to_world(at), on_cue_ball(at));
   // Aimed shots are always finite and not zero: the game takes them.
-  if (drag) shoot(*drag);
-}
-
-void BilliardsScreen::shoot(carom::Vec2 drag) {
-  auto before = practice_ ? std::optional(played_) : std::nullopt;
-  if (!played_.apply(billiards::Shoot{drag})) return;
-  if (before) practice_->thrown(std::move(*before), drag);
-  follow_phase();
-}
-
-void BilliardsScreen::practise(const PracticeStrip::Command& command) {
-  if (const auto* change = std::get_if<Change>(&command)) return practice_->change(*change);
-  const bool repeat = std::holds_alternative<PracticeStrip::Repeat>(command);
-  if (!repeat || !practice_->ready()) {
-    auto before = practice_->take_back();
-    if (!before) return;
-    played_ = std::move(*before);
-    turn_points_ = 0;
-    effects_.clear();
-    follow_phase();
-  }
-  if (repeat) shoot(*practice_->drag());
+  if (drag && played_.launch(*drag)) follow_phase();
 }
 
 void BilliardsScreen::click(PlaceBall&, Point at) {
@@ -150,7 +135,7 @@ Rect BilliardsScreen::table_area() const {
 
 Transition BilliardsScreen::request(UserBar::Command command) {
   // Nothing to lose.
-  if (game().world().steps() == 0 || practice_) return obey(command);
+  if (game().world().steps() == 0 || played_.practice()) return obey(command);
   const bool restart = command == UserBar::Command::restart;
   question_ =
       Question{Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
@@ -162,26 +147,32 @@ Transition BilliardsScreen::request(UserBar::Command command) {
 }
 
 Transition BilliardsScreen::obey(UserBar::Command command) {
-  if (!practice_) session_.kept.forget(replay::Kind::billiards);
-  if (command == UserBar::Command::close) return Transition::title;
-  if (played_.apply(billiards::Restart{})) {
-    if (practice_) practice_->restart();
-    effects_.clear();
-    turn_points_ = 0;
+  if (command == UserBar::Command::close) {
+    played_.forget();
+    return Transition::title;
+  }
+  if (played_.restart()) {
+    show_anew();
     announce_turn(game().player(), {});
-    follow_phase();
   }
   return Transition::stay;
+}
+
+/// The game has gone elsewhere: to its start, back, or back and on.
+void BilliardsScreen::show_anew() {
+  effects_.clear();
+  turn_points_ = 0;
+  follow_phase();
 }
 
 /// The buttons of the end: again, the replay or in practice back by a shot, the title.
 Transition BilliardsScreen::finish(std::size_t button) {
   if (button != 1) return obey(button == 0 ? UserBar::Command::restart : UserBar::Command::close);
-  if (practice_) {
-    practise(PracticeStrip::TakeBack{});
+  if (played_.practice()) {
+    if (played_.practise(TakeBack{})) show_anew();
     return Transition::stay;
   }
-  session_.to_watch = played_.replay();
+  session_.to_watch = played_.recorder().replay();
   return Transition::replay;
 }
 
@@ -206,12 +197,8 @@ void BilliardsScreen::follow_phase() {
   }
 }
 
-/// After every turn.
 void BilliardsScreen::keep() {
-  if (practice_) return;
-  if (game().phase() == Phase::over) return session_.kept.forget(replay::Kind::billiards);
-  if (session_.kept.keep(played_.replay()) || std::exchange(told_not_kept_, true)) return;
-  effects_.announce(words_(Text::not_kept), {}, {});
+  if (!played_.keep()) effects_.announce(words_(Text::not_kept), {}, {});
 }
 
 Transition BilliardsScreen::iterate(nanoseconds elapsed) {
@@ -264,10 +251,11 @@ Dialog BilliardsScreen::result() const {
   lines.reserve(2);
   for (int player = 0; player < 2; ++player)
     lines.push_back({words_.player(player), words_.number(game().score(player)), player});
-  return {winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
-          std::move(lines),
-          {words_(Text::play_again), words_(practice_ ? Text::take_back : Text::watch_replay),
-           words_(Text::back_to_title)}};
+  return {
+      winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
+      std::move(lines),
+      {words_(Text::play_again), words_(played_.practice() ? Text::take_back : Text::watch_replay),
+       words_(Text::back_to_title)}};
 }
 
 bool BilliardsScreen::animating() const {
@@ -286,7 +274,7 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   if (aiming) {
     if (aiming->aim.active())
       draw_aim(canvas.list, viewport_, game().world(), aiming->aim);
-    else if (const Aim again = planned(practice_, game().world().ball(0)); again.active())
+    else if (const Aim again = planned(played_.practice(), game().world().ball(0)); again.active())
       draw_aim(canvas.list, viewport_, game().world(), again);
     else
       draw_invitation(canvas.list, viewport_, game().world().ball(0), on_cue_ball(pointer_),
@@ -295,7 +283,7 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
   bar_.draw(canvas, bar_content());
-  if (practice_) strip_.draw(canvas);
+  if (played_.practice()) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, aiming ? &aiming->aim : nullptr, words_, hint(),
               hint_color());
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
@@ -331,8 +319,8 @@ std::string BilliardsScreen::hint() const {
   const auto* aiming = std::get_if<Launcher>(&state_);
   const bool idle =
       aiming ? !aiming->aim.active() && !aiming->missed : std::holds_alternative<WatchShot>(state_);
-  if (practice_ && practice_->drag() && idle)
-    return words_(Text::hint_repeat, {practised(words_, *practice_->drag())});
+  if (const auto& practice = played_.practice(); practice && practice->drag() && idle)
+    return words_(Text::hint_repeat, {practised(words_, *practice->drag())});
   if (aiming) {
     if (aiming->aim.active())
       return words_(aiming->refused && aiming->aim.too_weak() ? Text::hint_too_weak
@@ -383,7 +371,7 @@ std::string BilliardsScreen::describe() const {
     }
     return std::get<Over>(state_).dialog.title();
   }();
-  if (practice_) now = words_(Text::practice_state, {now});
+  if (played_.practice()) now = words_(Text::practice_state, {now});
   return words_(Text::state, {words_(Text::product), now, words_.number(game().score(0)),
                               words_.number(game().score(1)), words_.number(game().reds_left())});
 }

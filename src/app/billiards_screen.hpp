@@ -8,6 +8,7 @@
 #include "app/effects.hpp"
 #include "app/launcher.hpp"
 #include "app/motion.hpp"
+#include "app/played.hpp"
 #include "app/practice_strip.hpp"
 #include "app/screen.hpp"
 #include "app/session.hpp"
@@ -55,8 +56,7 @@ class BilliardsScreen final : public Screen {
   void follow_phase();
   void step();
   void keep();
-  void shoot(carom::Vec2 drag);
-  void practise(const PracticeStrip::Command& command);
+  void show_anew();
   void note(const games::billiards::Event& event);
   void announce_turn(int player, const std::string& detail);
   Dialog result() const;
@@ -76,10 +76,7 @@ class BilliardsScreen final : public Screen {
 
   Words words_;
   Session& session_;
-  BilliardsRecorder played_;
-  /// On a practice table.
-  std::optional<Practice<BilliardsRecorder>> practice_;
-  bool told_not_kept_ = false;
+  Played<games::billiards::Game> played_;
   State state_ = Launcher{};
   std::optional<Question> question_;
 

@@ -53,15 +53,12 @@ Transition LoadScreen::refuse(ReplayFault fault) {
 
 Transition LoadScreen::finish() {
   player_->seek(player_->turns().size());
+  if (replay::over(player_->game())) return refuse(ReplayFault::finished);
   if (const auto* table = std::get_if<games::billiards::Game>(&player_->game())) {
-    if (table->phase() == games::billiards::Phase::over) return refuse(ReplayFault::finished);
     session_.loaded = BilliardsRecorder(*table, player_->replay());
     return Transition::resume;
   }
-  using games::angry_balls::Phase;
   const auto& level = std::get<games::angry_balls::Game>(player_->game());
-  if (level.phase() == Phase::won || level.phase() == Phase::lost)
-    return refuse(ReplayFault::finished);
   Campaign& campaign = session_.campaign;
   const Level played = level_of(level.level());
   const auto index = campaign.find(played.identity);

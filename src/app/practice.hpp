@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/aim.hpp"
@@ -14,6 +15,9 @@ namespace app {
 
 /// What can be done to the throw that a repetition makes.
 enum class Change : std::uint8_t { faster, slower, left, right };
+struct TakeBack {};
+struct Repeat {};
+using PracticeCommand = std::variant<TakeBack, Repeat, Change>;
 
 /// 1 px/s faster or slower, or 0.1° to the left or right. `drag`: px, not zero. What would not move
 /// the ball, or be above the greatest speed, is left as it is.

@@ -16,10 +16,10 @@ constexpr std::array keys{Key::backspace, Key::r, Key::down, Key::up, Key::left,
 /// Of the width, as long as the labels are.
 constexpr std::array shares{0.21f, 0.18f, 0.165f, 0.165f, 0.14f, 0.14f};
 
-PracticeStrip::Command command_of(std::size_t button) {
+PracticeCommand command_of(std::size_t button) {
   constexpr std::array changes{Change::slower, Change::faster, Change::left, Change::right};
-  if (button == 0) return PracticeStrip::TakeBack{};
-  if (button == 1) return PracticeStrip::Repeat{};
+  if (button == 0) return TakeBack{};
+  if (button == 1) return Repeat{};
   return changes[button - 2];
 }
 
@@ -42,7 +42,7 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
   }
 }
 
-std::optional<PracticeStrip::Command> PracticeStrip::event(const Input& input) {
+std::optional<PracticeCommand> PracticeStrip::event(const Input& input) {
   if (const auto* key = std::get_if<KeyPressed>(&input))
     for (std::size_t i = 0; i < keys.size(); ++i)
       if (key->key == keys[i]) return command_of(i);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
 #include "app/practice.hpp"
 #include "app/text.hpp"
@@ -12,15 +11,11 @@ namespace app {
 /// The buttons below the world that take back, repeat and change a throw, and their keys.
 class PracticeStrip {
  public:
-  struct TakeBack {};
-  struct Repeat {};
-  using Command = std::variant<TakeBack, Repeat, Change>;
-
   explicit PracticeStrip(const Words& words);
 
   static float height(const View& view);
   void resize(const View& view, const Rect& area);
-  std::optional<Command> event(const Input& input);
+  std::optional<PracticeCommand> event(const Input& input);
   bool has_button_at(Point at) const { return buttons_.cover(at); }
   Buttons& buttons() { return buttons_; }
   void draw(Canvas& canvas) const;

@@ -50,6 +50,16 @@ bool moves(const AnyGame& game) {
   return std::visit([](const auto& played) { return moves(played); }, game);
 }
 
+bool over(const billiards::Game& game) { return game.phase() == billiards::Phase::over; }
+
+bool over(const angry_balls::Game& game) {
+  return game.phase() == angry_balls::Phase::won || game.phase() == angry_balls::Phase::lost;
+}
+
+bool over(const AnyGame& game) {
+  return std::visit([](const auto& played) { return over(played); }, game);
+}
+
 std::array<int, 2> score(const billiards::Game& game) { return {game.score(0), game.score(1)}; }
 
 std::array<int, 2> score(const angry_balls::Game& game) { return {game.score(), 0}; }

@@ -30,6 +30,11 @@ bool moves(const games::billiards::Game& game);
 bool moves(const games::angry_balls::Game& game);
 bool moves(const AnyGame& game);
 
+/// Whether the game has come to its end.
+bool over(const games::billiards::Game& game);
+bool over(const games::angry_balls::Game& game);
+bool over(const AnyGame& game);
+
 /// Points so far, as in Replay::score.
 std::array<int, 2> score(const games::billiards::Game& game);
 std::array<int, 2> score(const games::angry_balls::Game& game);

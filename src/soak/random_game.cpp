@@ -34,11 +34,6 @@ Vec2 random_drag(Random& random) {
   return random.one_in(50) ? drag : on_grid(drag);
 }
 
-bool over(const billiards::Game& game) { return game.phase() == billiards::Phase::over; }
-bool over(const angry_balls::Game& game) {
-  return game.phase() == angry_balls::Phase::won || game.phase() == angry_balls::Phase::lost;
-}
-
 // What is wrong with the written forms of a replay, or empty.
 std::string check_replay(const replay::Replay& played, std::size_t& text_size) {
   const auto from_json = replay::read_json(replay::write_json(played));
@@ -88,7 +83,8 @@ PlayedGame play(Game game, Random& random) {
   const carom::World& world = recorder.game().world();
   Invariants invariants;
   std::array twins{Twin(carom::BroadPhase::pairs), Twin(carom::BroadPhase::quadtree)};
-  while (!over(recorder.game()) && played.failure.empty() && played.steps < replay::max_steps) {
+  while (!replay::over(recorder.game()) && played.failure.empty() &&
+         played.steps < replay::max_steps) {
     if (const auto command = random_command(recorder.game(), random)) {
       if (const carom::Status applied = recorder.apply(*command); !applied)
         played.failure = "a command is refused: " + carom::to_string(applied.errors().front());

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "app/practice.hpp"
+#include "app/session.hpp"
+
+namespace app {
+
+/// The game on a screen, recorded. It is kept as the one in progress, to be continued; or, in
+/// practice, throws can be taken back and repeated, and nothing is kept.
+///
+/// `Game` is games::billiards::Game or games::angry_balls::Game.
+template <class Game>
+class Played {
+ public:
+  using Recorder = replay::Recorder<Game>;
+
+  /// The session must outlive this.
+  Played(Session& session, Recorder recorder) : session_(session), recorder_(std::move(recorder)) {}
+
+  const Game& game() const { return recorder_.game(); }
+  const Recorder& recorder() const { return recorder_; }
+
+  void begin_practice() { practice_.emplace(); }
+  /// None unless in practice.
+  const std::optional<Practice<Recorder>>& practice() const { return practice_; }
+  /// Does what the player wants of the practice. Whether the game has gone elsewhere.
+  bool practise(const PracticeCommand& command) {
+    if (const auto* how = std::get_if<Change>(&command)) {
+      practice_->change(*how);
+      return false;
+    }
+    const bool repeat = std::holds_alternative<Repeat>(command);
+    if (!repeat || !practice_->ready()) {
+      auto before = practice_->take_back();
+      if (!before) return false;
+      recorder_ = std::move(*before);
+    }
+    if (repeat) launch(*practice_->drag());
+    return true;
+  }
+
+  // These tell whether the game took it.
+  bool apply(const typename Recorder::GameCommand& command) {
+    return recorder_.apply(command).ok();
+  }
+  /// A shot or throw; `drag`: px.
+  bool launch(carom::Vec2 drag) {
+    auto before = practice_ ? std::optional(recorder_) : std::nullopt;
+    if (!apply(Launch{drag})) return false;
+    if (before) practice_->thrown(std::move(*before), drag);
+    return true;
+  }
+  bool restart() {
+    if (!apply(Restart{})) return false;
+    if (practice_) practice_->restart();
+    forget();
+    return true;
+  }
+  void step() { recorder_.step(); }
+
+  /// Keeps the game as it is now; once it is over, there is none to continue. False when it could
+  /// not be kept and the player has not been told yet.
+  bool keep() {
+    if (practice_) return true;
+    if (replay::over(game())) {
+      forget();
+      return true;
+    }
+    return session_.kept.keep(recorder_.replay()) || std::exchange(told_not_kept_, true);
+  }
+  /// There is no game to continue any more.
+  void forget() {
+    if (!practice_) session_.kept.forget(kind);
+  }
+
+ private:
+  static constexpr bool billiards = std::is_same_v<Game, games::billiards::Game>;
+  static constexpr replay::Kind kind =
+      billiards ? replay::Kind::billiards : replay::Kind::angry_balls;
+  using Launch = std::conditional_t<billiards, games::billiards::Shoot, games::angry_balls::Throw>;
+  using Restart =
+      std::conditional_t<billiards, games::billiards::Restart, games::angry_balls::Restart>;
+
+  Session& session_;
+  Recorder recorder_;
+  std::optional<Practice<Recorder>> practice_;
+  bool told_not_kept_ = false;
+};
+
+}  // namespace app
