@@ -131,7 +131,13 @@ void Effects::draw_announcement(Canvas& canvas, const Rect& table) const {
   // Above the middle: the cue ball and what it aims at stay in sight.
   const float height = canvas.px(two_lines ? 88 : 64);
   const Point middle{table.center().x, table.y + table.h * 0.12f + height / 2};
-  Rect box = centered(middle, std::min(canvas.px(440), canvas.view.width - canvas.px(32)), height);
+  const Align align = player ? Align::left : Align::center;
+  const TextStyle headline{Face::black, 32, faded(palette::cream, opacity), align};
+  const float alone =
+      label_width(canvas, headline, announcement_->headline) + canvas.px(player ? 100 : 48);
+  Rect box = centered(
+      middle, std::min(two_lines ? canvas.px(440) : alone, canvas.view.width - canvas.px(32)),
+      height);
   const Color accent =
       player ? palette::accents[static_cast<std::size_t>(*player)] : palette::brass;
   fill_rounded(canvas.list, box.moved({0, canvas.px(4)}), canvas.px(16),
@@ -144,9 +150,7 @@ void Effects::draw_announcement(Canvas& canvas, const Rect& table) const {
                 opacity);
     box.cut_left(canvas.px(56));
   }
-  const Align align = player ? Align::left : Align::center;
   const Rect line = two_lines ? box.cut_top(canvas.px(40)) : box;
-  const TextStyle headline{Face::black, 32, faded(palette::cream, opacity), align};
   label(canvas, line, headline, announcement_->headline);
   if (two_lines)
     label(canvas, box, {Face::regular, 18, faded(palette::muted, opacity), align},

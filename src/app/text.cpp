@@ -187,7 +187,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
       "Rien n’est gardé. Revoyez une partie à sa fin, ou collez-en le texte ici."}},
     {Text::hint_replays,
      {"Choose a replay, or paste one as text (Ctrl+V).",
-      "Choisissez une partie, ou collez un texte (Ctrl+V)."}},
+      "Choisissez, ou collez un texte (Ctrl+V)."}},
     {Text::replay_line, {"{0} · turns: {1} · {2}", "{0} · tours : {1} · {2}"}},
     {Text::replays_state, {"{0} · {1} · replays: {2}", "{0} · {1} · parties : {2}"}},
     {Text::bad_replay, {"Cannot be shown: it is damaged.", "Illisible : le fichier est abîmé."}},

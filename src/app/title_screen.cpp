@@ -54,6 +54,15 @@ std::string TitleScreen::offer(Kind kind) const {
   return words_(Text::continue_named_level, {level.name});
 }
 
+/// "Level 1: First steps"; only the name of one that is no longer on offer.
+std::string TitleScreen::kept_level() const {
+  const Level level = level_of(*session_.kept.of(Kind::angry_balls)->level);
+  std::string name = words_.level_name(level.name);
+  const auto index = session_.campaign.find(level.identity);
+  if (!index) return name;
+  return words_(Text::level_and_name, {words_.number(static_cast<int>(*index) + 1), name});
+}
+
 void TitleScreen::resize(const View& view) {
   view_ = view;
   if (question_) question_->dialog.resize(view);
@@ -122,7 +131,7 @@ Transition TitleScreen::choose(Choice choice) {
   const replay::Replay& kept = *session_.kept.of(table ? Kind::billiards : Kind::angry_balls);
   const std::string line = table ? words_(Text::kept_billiards, {words_.number(kept.score[0]),
                                                                  words_.number(kept.score[1])})
-                                 : offer(Kind::angry_balls);
+                                 : kept_level();
   question_ =
       Question{Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
                       {words_(Text::continue_game),

@@ -48,6 +48,7 @@ class TitleScreen final : public Screen {
   void tell_refused();
   void paste_failed(ReplayFault fault);
   std::string offer(replay::Kind kind) const;
+  std::string kept_level() const;
 
   Words words_;
   Session& session_;

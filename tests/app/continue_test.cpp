@@ -121,6 +121,9 @@ TEST(Continue, ALevelGoesOnBitByBit) {
     begin(game);
   }
   Start game(broken_off);
+  game.press("Angry Balls");
+  EXPECT_TRUE(game.shows("Level 1: First steps")) << "the game asked about";
+  game.press("Cancel");
   game.load("Continue: level 1");
   ASSERT_TRUE(game.says("First steps")) << game.title();
   EXPECT_TRUE(game.says("throws left: 2"));
