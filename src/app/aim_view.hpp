@@ -2,18 +2,26 @@
 
 #include "app/aim.hpp"
 #include "app/canvas.hpp"
+#include "app/preview.hpp"
 #include "app/text.hpp"
 #include "app/viewport.hpp"
 #include "carom/world.hpp"
 
 namespace app {
 
-/// Where the launch goes: an arrow as long as the drag; on a table, on to the first thing the ball
-/// would meet.
-void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& world, const Aim& aim);
+/// What the launch will do: an arrow as strong as it is, and the ways that `preview` foretells.
+/// With an empty preview the arrow is as long as the drag.
+void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& world, const Aim& aim,
+              const Preview& preview);
 
-/// The line below the world: what the player can do now, and how strong the launch is while one is
-/// aimed: a bar up to the greatest speed, and the speed in numbers.
+/// The sling from the lead to where it is pulled, window px.
+void draw_sling(DrawList& list, const Viewport& viewport, const carom::Ball& lead, Point to);
+
+/// Where the strength stands in a footer, window px: the whole width means 0 to the greatest.
+Rect strength_meter(const View& view, const Rect& footer);
+
+/// The line below the world: what the player can do now, and while a launch is aimed its angle and
+/// speed in numbers, and its strength on a bar up to the greatest.
 void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& words,
                  const std::string& hint, Color color);
 

@@ -97,11 +97,21 @@ Transition AngryBallsScreen::event(const Input& input) {
     played_.forget();
     return Transition::levels;
   }
+  if (auto* launcher = std::get_if<Launcher>(&state_)) {
+    const Launcher::Outcome outcome = launcher->event(input, stage());
+    if (outcome != Launcher::Outcome::untouched) {
+      bar_.buttons().blur();
+      strip_.buttons().blur();
+      // What is aimed is finite and not zero: the game takes it.
+      if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) follow_phase();
+      return Transition::stay;
+    }
+  }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      if (played_.practise(*command)) show_anew();
+      if (played_.practise(*command, aimed())) show_anew();
       return Transition::stay;
     }
   }
@@ -118,23 +128,10 @@ Transition AngryBallsScreen::event(const Input& input) {
   if (const auto command = bar_.event(input)) return obey(*command);
   if (is_key(input, Key::r)) return obey(UserBar::Command::restart);
 
-  auto* launcher = std::get_if<Launcher>(&state_);
-  if (launcher) launcher->aim.move(viewport_.to_world(pointer_));
-  const bool takes_back =
-      (press && press->button == PointerButton::right) || is_key(input, Key::escape);
-  if (takes_back && launcher && launcher->aim.active()) {
-    launcher->aim.cancel();
-    return Transition::stay;
-  }
   if (is_key(input, Key::escape)) return obey(UserBar::Command::close);
 
-  const bool click = press && press->button == PointerButton::left &&
-                     !bar_.has_button_at(press->at) &&
-                     !(played_.practice() && strip_.has_button_at(press->at));
-  if (launcher && click) {
-    const auto drag = launcher->click(viewport_.to_world(press->at), on_projectile(press->at));
-    if (drag && played_.launch(*drag)) follow_phase();
-  } else if (offered) {
+  const bool click = press && press->button == PointerButton::left && !on_button();
+  if (offered) {
     offered->prompt.event(input);
     const bool key =
         is_key(input, Key::n) || is_key(input, Key::enter) || is_key(input, Key::space);
@@ -154,8 +151,25 @@ void AngryBallsScreen::show_anew() {
   follow_phase();
 }
 
-bool AngryBallsScreen::on_projectile(Point at) const {
-  return on_lead(game().world().ball(0), at, viewport_, view_);
+bool AngryBallsScreen::on_button() const {
+  return bar_.has_button_at(pointer_) || (played_.practice() && strip_.has_button_at(pointer_));
+}
+
+/// What is being aimed; null when nothing is.
+Aim* AngryBallsScreen::aimed() {
+  auto* launcher = std::get_if<Launcher>(&state_);
+  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
+}
+
+Launcher::Stage AngryBallsScreen::stage() const {
+  return {.lead = game().world().ball(0),
+          .viewport = viewport_,
+          .view = view_,
+          .world = layout_.world,
+          .meter = strength_meter(view_, layout_.footer),
+          .way = session_.aiming.way,
+          .on_button = on_button(),
+          .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
 }
 
 Transition AngryBallsScreen::obey(UserBar::Command command) {
@@ -185,7 +199,7 @@ Transition AngryBallsScreen::finish(std::size_t button) {
       return obey(UserBar::Command::restart);
     case watch:
       if (played_.practice()) {
-        if (played_.practise(TakeBack{})) show_anew();
+        if (played_.practise(TakeBack{}, aimed())) show_anew();
         return Transition::stay;
       }
       session_.to_watch = played_.recorder().replay();
@@ -197,9 +211,15 @@ Transition AngryBallsScreen::finish(std::size_t button) {
 
 void AngryBallsScreen::follow_phase() {
   switch (game().phase()) {
-    case Phase::aim:
-      state_ = Launcher{};
+    case Phase::aim: {
+      const carom::Scene& level = game().level();
+      Launcher launcher(played_.last_drag().value_or(
+          first_aim(game().launch_place(), {level.width / 2, level.height / 2})));
+      if (const auto& practice = played_.practice(); practice && practice->ready())
+        launcher.show(practice->plan);
+      state_ = std::move(launcher);
       break;
+    }
     case Phase::fly:
       turn_points_ = 0;
       trace_.clear();
@@ -259,7 +279,10 @@ bool AngryBallsScreen::moving() const {
          (game().phase() == Phase::offer && played_.recorder().has_room());
 }
 
-bool AngryBallsScreen::animating() const { return !question_ && (moving() || effects_.active()); }
+bool AngryBallsScreen::animating() const {
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  return !question_ && (moving() || effects_.active() || (launcher && launcher->charging()));
+}
 
 const carom::World& AngryBallsScreen::shown_world() const {
   const auto* over = std::get_if<Over>(&state_);
@@ -269,6 +292,7 @@ const carom::World& AngryBallsScreen::shown_world() const {
 Transition AngryBallsScreen::iterate(nanoseconds elapsed) {
   if (question_) return Transition::stay;  // the level waits for the answer
   effects_.advance(elapsed);
+  if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
   if (!moving()) return Transition::stay;
   for (int due = clock_.advance(elapsed); due > 0 && moving(); --due) step();
   return Transition::stay;
@@ -313,12 +337,14 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   draw_level_balls(list, layout_.world, viewport_, shown_world(), game().level(), motion_,
                    moving() ? clock_.fraction() : 1);
   if (launcher) {
+    const carom::Ball projectile = game().world().ball(0);
+    if (const auto to = launcher->pulled_to()) draw_sling(list, viewport_, projectile, *to);
     if (launcher->aim.active())
-      draw_aim(list, viewport_, game().world(), launcher->aim);
-    else if (const Aim shown = planned(played_.practice(), game().world().ball(0)); shown.active())
-      draw_aim(list, viewport_, game().world(), shown);
+      draw_aim(list, viewport_, game().world(), launcher->aim,
+               previewer_.of(game().world(), launcher->aim, session_.aiming,
+                             played_.practice().has_value()));
     else
-      draw_invitation(list, viewport_, game().world().ball(0), on_projectile(pointer_),
+      draw_invitation(list, viewport_, projectile, on_lead(projectile, pointer_, viewport_, view_),
                       palette::accents[0]);
   }
   Rect free = layout_.world.inset(canvas.px(4));
@@ -340,6 +366,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
               hint_color());
+  if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   const auto* over = std::get_if<Over>(&state_);
   if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
   if (question_) question_->draw(canvas);
@@ -356,16 +383,14 @@ void AngryBallsScreen::draw_trace(DrawList& list) const {
 
 std::string AngryBallsScreen::hint() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
-  const bool idle = launcher ? !launcher->aim.active() && !launcher->missed
+  const bool idle = launcher ? !launcher->aim.active() && !launcher->missed()
                              : std::holds_alternative<WatchThrow>(state_);
-  if (const auto& practice = played_.practice(); practice && practice->drag() && idle)
-    return words_(Text::hint_repeat, {practised(words_, *practice->drag())});
-  if (launcher) {
-    if (launcher->aim.active())
-      return words_(launcher->refused && launcher->aim.too_weak() ? Text::hint_too_weak
-                                                                  : Text::hint_throw);
-    return words_(launcher->missed ? Text::hint_not_projectile : Text::hint_take_projectile);
-  }
+  if (const auto& practice = played_.practice(); practice && practice->plan.active() && idle)
+    return words_(Text::hint_repeat, {practised(words_, practice->plan)});
+  if (launcher)
+    return words_(
+        aim_hint(*launcher, session_.aiming.way,
+                 {Text::hint_take_projectile, Text::hint_not_projectile, Text::hint_throw}));
   if (std::holds_alternative<NextOffered>(state_))
     return words_(game().throws_left() > 0 ? Text::hint_next : Text::hint_finish);
   return std::holds_alternative<WatchThrow>(state_) ? words_(Text::hint_flying) : std::string();
@@ -373,7 +398,7 @@ std::string AngryBallsScreen::hint() const {
 
 Color AngryBallsScreen::hint_color() const {
   if (const auto* launcher = std::get_if<Launcher>(&state_))
-    return launcher->missed ? palette::refused : palette::cream;
+    return launcher->missed() ? palette::refused : palette::cream;
   return std::holds_alternative<NextOffered>(state_) ? palette::allowed : palette::muted;
 }
 

@@ -11,6 +11,7 @@
 #include "app/motion.hpp"
 #include "app/played.hpp"
 #include "app/practice_strip.hpp"
+#include "app/preview.hpp"
 #include "app/screen.hpp"
 #include "app/session.hpp"
 #include "app/text.hpp"
@@ -63,7 +64,9 @@ class AngryBallsScreen final : public Screen {
 
   Transition obey(UserBar::Command command);
   Transition finish(std::size_t button);
-  bool on_projectile(Point at) const;
+  bool on_button() const;
+  Aim* aimed();
+  Launcher::Stage stage() const;
   const carom::World& shown_world() const;
   bool moving() const;
 
@@ -83,6 +86,7 @@ class AngryBallsScreen final : public Screen {
   Clock clock_;
   Motion motion_;
   Effects effects_;
+  mutable Previewer previewer_;     ///< remembers what draw() asked for
   std::vector<carom::Vec2> trace_;  ///< px, where the last throw went
 
   LevelBar bar_;

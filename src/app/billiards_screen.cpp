@@ -72,11 +72,21 @@ Transition BilliardsScreen::event(const Input& input) {
     question_.reset();
     return *chosen == 0 ? obey(about) : Transition::stay;
   }
+  if (auto* launcher = std::get_if<Launcher>(&state_)) {
+    const Launcher::Outcome outcome = launcher->event(input, stage());
+    if (outcome != Launcher::Outcome::untouched) {
+      bar_.buttons().blur();
+      strip_.buttons().blur();
+      // What is aimed is finite and not zero: the game takes it.
+      if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) follow_phase();
+      return Transition::stay;
+    }
+  }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      if (played_.practise(*command)) show_anew();
+      if (played_.practise(*command, aimed())) show_anew();
       return Transition::stay;
     }
   }
@@ -89,40 +99,39 @@ Transition BilliardsScreen::event(const Input& input) {
     return Transition::stay;
   if (const auto command = bar_.event(input)) return request(*command);
 
-  auto* aiming = std::get_if<Launcher>(&state_);
-  if (aiming) aiming->aim.move(viewport_.to_world(pointer_));
+  if (is_key(input, Key::escape)) return request(UserBar::Command::close);
+  if (is_key(input, Key::r)) return request(UserBar::Command::restart);
   const auto* press = std::get_if<PointerPressed>(&input);
-  const bool takes_back =
-      (press && press->button == PointerButton::right) || is_key(input, Key::escape);
-  if (takes_back && aiming && aiming->aim.active()) {
-    aiming->aim.cancel();
-  } else if (is_key(input, Key::escape)) {
-    return request(UserBar::Command::close);
-  } else if (is_key(input, Key::r)) {
-    return request(UserBar::Command::restart);
-  } else if (press && press->button == PointerButton::left && !bar_.has_button_at(press->at) &&
-             !(played_.practice() && strip_.has_button_at(press->at))) {
-    if (aiming)
-      click(*aiming, press->at);
-    else if (auto* placing = std::get_if<PlaceBall>(&state_))
-      click(*placing, press->at);
-  }
+  if (press && press->button == PointerButton::left && !on_button() &&
+      std::holds_alternative<PlaceBall>(state_))
+    place(press->at);
   return Transition::stay;
 }
 
-void BilliardsScreen::click(Launcher& launcher, Point at) {
-  const auto drag = launcher.click(viewport_.to_world(at), on_cue_ball(at));
-  // Aimed shots are always finite and not zero: the game takes them.
-  if (drag && played_.launch(*drag)) follow_phase();
+bool BilliardsScreen::on_button() const {
+  return bar_.has_button_at(pointer_) || (played_.practice() && strip_.has_button_at(pointer_));
 }
 
-void BilliardsScreen::click(PlaceBall&, Point at) {
+/// What is being aimed; null when nothing is.
+Aim* BilliardsScreen::aimed() {
+  auto* launcher = std::get_if<Launcher>(&state_);
+  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
+}
+
+Launcher::Stage BilliardsScreen::stage() const {
+  return {.lead = game().world().ball(0),
+          .viewport = viewport_,
+          .view = view_,
+          .world = layout_.world,
+          .meter = strength_meter(view_, layout_.footer),
+          .way = session_.aiming.way,
+          .on_button = on_button(),
+          .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
+}
+
+void BilliardsScreen::place(Point at) {
   // A place that is not free stays shown as such.
   if (played_.apply(billiards::Place{on_grid(viewport_.to_world(at))})) follow_phase();
-}
-
-bool BilliardsScreen::on_cue_ball(Point at) const {
-  return on_lead(game().world().ball(0), at, viewport_, view_);
 }
 
 /// The table with its wood, window px.
@@ -169,7 +178,7 @@ void BilliardsScreen::show_anew() {
 Transition BilliardsScreen::finish(std::size_t button) {
   if (button != 1) return obey(button == 0 ? UserBar::Command::restart : UserBar::Command::close);
   if (played_.practice()) {
-    if (played_.practise(TakeBack{})) show_anew();
+    if (played_.practise(TakeBack{}, aimed())) show_anew();
     return Transition::stay;
   }
   session_.to_watch = played_.recorder().replay();
@@ -180,9 +189,15 @@ void BilliardsScreen::follow_phase() {
   motion_.record(game().world());
   clock_.reset();
   switch (game().phase()) {
-    case Phase::aim:
-      state_ = Launcher{};
+    case Phase::aim: {
+      const carom::Scene& table = game().world().scene();
+      Launcher launcher(
+          first_aim(game().world().ball(0).position, {table.width / 2, table.height / 2}));
+      if (const auto& practice = played_.practice(); practice && practice->ready())
+        launcher.show(practice->plan);
+      state_ = std::move(launcher);
       break;
+    }
     case Phase::roll:
       turn_points_ = 0;
       state_ = WatchShot{};
@@ -204,6 +219,7 @@ void BilliardsScreen::keep() {
 Transition BilliardsScreen::iterate(nanoseconds elapsed) {
   if (question_) return Transition::stay;  // the table waits for the answer
   effects_.advance(elapsed);
+  if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
   if (game().phase() != Phase::roll) return Transition::stay;
   for (int due = clock_.advance(elapsed); due > 0 && game().phase() == Phase::roll; --due) step();
   return Transition::stay;
@@ -259,7 +275,9 @@ Dialog BilliardsScreen::result() const {
 }
 
 bool BilliardsScreen::animating() const {
-  return !question_ && (game().phase() == Phase::roll || effects_.active());
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  return !question_ &&
+         (game().phase() == Phase::roll || effects_.active() || (launcher && launcher->charging()));
 }
 
 void BilliardsScreen::draw(Canvas& canvas) const {
@@ -270,22 +288,25 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   effects_.draw_under_balls(canvas.list, viewport_);
   draw_balls(canvas.list, viewport_, game().world(), motion_,
              game().phase() == Phase::roll ? clock_.fraction() : 1);
-  const auto* aiming = std::get_if<Launcher>(&state_);
-  if (aiming) {
-    if (aiming->aim.active())
-      draw_aim(canvas.list, viewport_, game().world(), aiming->aim);
-    else if (const Aim again = planned(played_.practice(), game().world().ball(0)); again.active())
-      draw_aim(canvas.list, viewport_, game().world(), again);
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  if (launcher) {
+    const carom::Ball cue = game().world().ball(0);
+    if (const auto to = launcher->pulled_to()) draw_sling(canvas.list, viewport_, cue, *to);
+    if (launcher->aim.active())
+      draw_aim(canvas.list, viewport_, game().world(), launcher->aim,
+               previewer_.of(game().world(), launcher->aim, session_.aiming,
+                             played_.practice().has_value()));
     else
-      draw_invitation(canvas.list, viewport_, game().world().ball(0), on_cue_ball(pointer_),
+      draw_invitation(canvas.list, viewport_, cue, on_lead(cue, pointer_, viewport_, view_),
                       palette::accents[static_cast<std::size_t>(game().player())]);
   }
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
   bar_.draw(canvas, bar_content());
   if (played_.practice()) strip_.draw(canvas);
-  draw_footer(canvas, layout_.footer, aiming ? &aiming->aim : nullptr, words_, hint(),
+  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
               hint_color());
+  if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
   if (question_) question_->dialog.draw(canvas);
 }
@@ -316,17 +337,14 @@ void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
 }
 
 std::string BilliardsScreen::hint() const {
-  const auto* aiming = std::get_if<Launcher>(&state_);
-  const bool idle =
-      aiming ? !aiming->aim.active() && !aiming->missed : std::holds_alternative<WatchShot>(state_);
-  if (const auto& practice = played_.practice(); practice && practice->drag() && idle)
-    return words_(Text::hint_repeat, {practised(words_, *practice->drag())});
-  if (aiming) {
-    if (aiming->aim.active())
-      return words_(aiming->refused && aiming->aim.too_weak() ? Text::hint_too_weak
-                                                              : Text::hint_shoot);
-    return words_(aiming->missed ? Text::hint_not_cue_ball : Text::hint_take_cue_ball);
-  }
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  const bool idle = launcher ? !launcher->aim.active() && !launcher->missed()
+                             : std::holds_alternative<WatchShot>(state_);
+  if (const auto& practice = played_.practice(); practice && practice->plan.active() && idle)
+    return words_(Text::hint_repeat, {practised(words_, practice->plan)});
+  if (launcher)
+    return words_(aim_hint(*launcher, session_.aiming.way,
+                           {Text::hint_take_cue_ball, Text::hint_not_cue_ball, Text::hint_shoot}));
   if (std::holds_alternative<PlaceBall>(state_)) {
     const Obstruction obstruction = game().obstruction(on_grid(viewport_.to_world(pointer_)));
     if (obstruction != Obstruction::none)
@@ -337,8 +355,8 @@ std::string BilliardsScreen::hint() const {
 }
 
 Color BilliardsScreen::hint_color() const {
-  if (const auto* aiming = std::get_if<Launcher>(&state_))
-    return aiming->missed ? palette::refused : palette::cream;
+  if (const auto* launcher = std::get_if<Launcher>(&state_))
+    return launcher->missed() ? palette::refused : palette::cream;
   if (std::holds_alternative<PlaceBall>(state_)) {
     const bool free =
         game().obstruction(on_grid(viewport_.to_world(pointer_))) == Obstruction::none;

@@ -10,6 +10,7 @@
 #include "app/motion.hpp"
 #include "app/played.hpp"
 #include "app/practice_strip.hpp"
+#include "app/preview.hpp"
 #include "app/screen.hpp"
 #include "app/session.hpp"
 #include "app/text.hpp"
@@ -64,9 +65,10 @@ class BilliardsScreen final : public Screen {
   Transition obey(UserBar::Command command);
   Transition request(UserBar::Command command);
   Transition finish(std::size_t button);
-  void click(Launcher& state, Point at);
-  void click(PlaceBall& state, Point at);
-  bool on_cue_ball(Point at) const;
+  void place(Point at);
+  bool on_button() const;
+  Aim* aimed();
+  Launcher::Stage stage() const;
   Rect table_area() const;
 
   void draw_cue_ball_in_hand(Canvas& canvas) const;
@@ -83,7 +85,8 @@ class BilliardsScreen final : public Screen {
   Clock clock_;
   Motion motion_;
   Effects effects_;
-  int turn_points_ = 0;  ///< of the turn that is shown; the game forgets them with the turn
+  mutable Previewer previewer_;  ///< remembers what draw() asked for
+  int turn_points_ = 0;          ///< of the turn that is shown; the game forgets them with the turn
 
   BilliardsBar bar_;
   PracticeStrip strip_;

@@ -42,6 +42,18 @@ struct PointerReleased {
 };
 struct KeyPressed {
   Key key = Key::enter;
+  bool shift = false;
+  bool ctrl = false;
+};
+struct KeyReleased {
+  Key key = Key::enter;
+};
+/// A sign typed, whatever keys that takes; ASCII.
+struct Typed {
+  char sign = ' ';
+};
+struct WheelTurned {
+  float notches = 0;  ///< away from the player is positive
 };
 /// The window's new size, px.
 struct Resized {
@@ -49,7 +61,8 @@ struct Resized {
   int height = 600;
 };
 
-using Input = std::variant<PointerMoved, PointerPressed, PointerReleased, KeyPressed, Resized>;
+using Input = std::variant<PointerMoved, PointerPressed, PointerReleased, KeyPressed, KeyReleased,
+                           Typed, WheelTurned, Resized>;
 
 /// The key pressed, if `input` is one.
 inline bool is_key(const Input& input, Key key) {

@@ -3,22 +3,110 @@
 #include <optional>
 
 #include "app/aim.hpp"
+#include "app/aim_entry.hpp"
+#include "app/aim_settings.hpp"
+#include "app/clock.hpp"
 #include "app/draw_list.hpp"
+#include "app/input.hpp"
+#include "app/text.hpp"
 #include "app/view.hpp"
 #include "app/viewport.hpp"
 #include "carom/scene.hpp"
 
 namespace app {
 
-/// The player's two clicks that launch the lead, cue ball or projectile, and what goes wrong.
-struct Launcher {
-  Aim aim;
-  bool missed = false;   ///< the last click was not on the lead
-  bool refused = false;  ///< the last click was too near the first
+/// Turns what the player does with pointer and keys into an aim, and into a launch. All devices
+/// edit one Aim, in whatever order: turn by the pointer, add 1 px/s by a key, let go.
+class Launcher {
+ public:
+  /// What the launcher needs to know of the screen when something happens.
+  struct Stage {
+    carom::Ball lead;
+    Viewport viewport;
+    View view;
+    Rect world;  ///< window px, where the world is shown
+    Rect meter;  ///< window px, the bar of the strength (strength_meter)
+    AimWay way = AimWay::pull;
+    bool on_button = false;        ///< the pointer is on a button
+    bool focus_elsewhere = false;  ///< a button has the keyboard's focus
+  };
+  enum class Outcome : std::uint8_t {
+    untouched,  ///< the input is somebody else's
+    taken,
+    launch,  ///< launch by aim.drag()
+  };
 
-  /// A click at a place of the world (px). The one that launches gives the drag.
-  std::optional<carom::Vec2> click(carom::Vec2 at, bool on_lead);
+  Launcher() = default;
+  /// `start` (px, not zero): where the keys, and turning, begin.
+  explicit Launcher(carom::Vec2 start) : start_(start) {}
+
+  Outcome event(const Input& input, const Stage& stage);
+  /// Space is held: the strength runs up and down.
+  void advance(nanoseconds elapsed);
+  bool charging() const { return charging_; }
+  /// Shows a launch, to be edited.
+  void show(const Aim& launch);
+
+  /// What a hint has to speak of.
+  enum class Stance : std::uint8_t {
+    idle,      ///< no aim
+    clicked,   ///< the first of two clicks is made
+    pulling,   ///< the button is held
+    turning,   ///< the pointer turns
+    by_keys,   ///< only keys
+    entering,  ///< numbers are typed
+  };
+  Stance stance() const;
+  /// The last click was not on the lead.
+  bool missed() const { return missed_; }
+  /// The last launch tried was too weak to move the ball.
+  bool refused() const { return refused_; }
+  /// While the lead is pulled: where to, window px.
+  std::optional<Point> pulled_to() const;
+
+  Aim aim;
+  std::optional<AimEntry> entry;
+
+ private:
+  enum class Grip : std::uint8_t {
+    none,
+    clicked,  ///< from_ was clicked, the next click launches
+    pressed,  ///< the button went down at from_, and the pointer has not moved
+    pulling,
+    turning,
+    sliding,  ///< the button is held on the meter
+  };
+  Outcome key(const KeyPressed& key, const Stage& stage);
+  Outcome press(Point at, const Stage& stage);
+  void move(Point at, const Stage& stage);
+  Outcome release(Point at, const Stage& stage);
+  void begin();
+  void cancel();
+  Outcome launch();
+  void edited();
+
+  carom::Vec2 start_{100, 0};
+  Grip grip_ = Grip::none;
+  carom::Vec2 from_;  ///< world px, where the lead was taken
+  Point pointer_;
+  std::optional<Point> rests_;  ///< where the pointer was when a key edited the aim
+  bool charging_ = false;
+  bool falling_ = false;  ///< the charge is on its way down
+  bool missed_ = false;
+  bool refused_ = false;
 };
+
+/// Where the keys start on a lead at `from`: 500 px/s towards the middle of the world (px).
+carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 middle);
+
+/// A game's own words for taking its lead, for a click beside it, and for the second click.
+struct AimHints {
+  Text take;
+  Text missed;
+  Text send;
+};
+/// What the player can do now.
+Text aim_hint(const Launcher& launcher, AimWay way, const AimHints& hints);
 
 /// Whether a click takes the lead. It is small: next to it will do.
 bool on_lead(const carom::Ball& lead, Point at, const Viewport& viewport, const View& view);

@@ -28,19 +28,22 @@ class Played {
   void begin_practice() { practice_.emplace(); }
   /// None unless in practice.
   const std::optional<Practice<Recorder>>& practice() const { return practice_; }
-  /// Does what the player wants of the practice. Whether the game has gone elsewhere.
-  bool practise(const PracticeCommand& command) {
+  /// Does what the player wants of the practice. `aimed`: what is being aimed, which then is what
+  /// is changed or thrown; null when nothing is. Whether the game has gone elsewhere.
+  bool practise(const PracticeCommand& command, Aim* aimed) {
     if (const auto* how = std::get_if<Change>(&command)) {
-      practice_->change(*how);
+      change(aimed ? *aimed : practice_->plan, *how);
       return false;
     }
     const bool repeat = std::holds_alternative<Repeat>(command);
+    const Aim plan = aimed ? *aimed : practice_->plan;
+    if (repeat && !plan.active()) return false;
     if (!repeat || !practice_->ready()) {
       auto before = practice_->take_back();
       if (!before) return false;
       recorder_ = std::move(*before);
     }
-    if (repeat) launch(*practice_->drag());
+    if (repeat) launch(plan);
     return true;
   }
 
@@ -48,13 +51,16 @@ class Played {
   bool apply(const typename Recorder::GameCommand& command) {
     return recorder_.apply(command).ok();
   }
-  /// A shot or throw; `drag`: px.
-  bool launch(carom::Vec2 drag) {
+  /// A shot or throw.
+  bool launch(const Aim& aim) {
     auto before = practice_ ? std::optional(recorder_) : std::nullopt;
-    if (!apply(Launch{drag})) return false;
-    if (before) practice_->thrown(std::move(*before), drag);
+    if (!apply(Launch{aim.drag()})) return false;
+    if (before) practice_->thrown(std::move(*before), aim);
+    last_drag_ = aim.drag();
     return true;
   }
+  /// Of the last launch on this screen, px; none before the first.
+  const std::optional<carom::Vec2>& last_drag() const { return last_drag_; }
   bool restart() {
     if (!apply(Restart{})) return false;
     if (practice_) practice_->restart();
@@ -89,6 +95,7 @@ class Played {
   Session& session_;
   Recorder recorder_;
   std::optional<Practice<Recorder>> practice_;
+  std::optional<carom::Vec2> last_drag_;
   bool told_not_kept_ = false;
 };
 

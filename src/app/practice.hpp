@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "app/aim.hpp"
-#include "carom/scene.hpp"
-#include "carom/vec2.hpp"
 
 namespace app {
 
@@ -19,9 +17,8 @@ struct TakeBack {};
 struct Repeat {};
 using PracticeCommand = std::variant<TakeBack, Repeat, Change>;
 
-/// 1 px/s faster or slower, or 0.1° to the left or right. `drag`: px, not zero. What would not move
-/// the ball, or be above the greatest speed, is left as it is.
-carom::Vec2 changed(carom::Vec2 drag, Change change);
+/// 1 px/s faster or slower, or 0.1° to the left or right.
+void change(Aim& aim, Change how);
 
 /// Takes throws back and repeats them. `Game`: a value that a copy keeps whole.
 template <class Game>
@@ -29,11 +26,11 @@ class Practice {
  public:
   static constexpr std::size_t most = 100;  ///< throws that can be taken back
 
-  /// `before`: the game as it stood when `drag` (px) was thrown.
-  void thrown(Game before, carom::Vec2 drag) {
+  /// `before`: the game as it stood when `aim` was thrown.
+  void thrown(Game before, const Aim& aim) {
     if (before_.size() == most) before_.erase(before_.begin());
     before_.push_back(std::move(before));
-    drag_ = drag;
+    plan = aim;
     ready_ = false;
   }
   /// The game before the last throw; none if there is none.
@@ -44,33 +41,19 @@ class Practice {
     ready_ = true;
     return game;
   }
-  void change(Change how) {
-    if (drag_) drag_ = changed(*drag_, how);
-  }
   /// The game starts again: there is nothing to take back any more.
   void restart() {
     before_.clear();
     ready_ = true;
   }
-  /// What a repetition throws, px; none before the first throw.
-  const std::optional<carom::Vec2>& drag() const { return drag_; }
   /// A repetition starts from the game as it is; otherwise the last throw is taken back first.
-  bool ready() const { return ready_ && drag_; }
+  bool ready() const { return ready_ && plan.active(); }
+
+  Aim plan;  ///< what a repetition throws; not active before the first throw
 
  private:
   std::vector<Game> before_;
-  std::optional<carom::Vec2> drag_;
   bool ready_ = false;
 };
-
-/// The launch that a repetition would make now, to be shown; not active if there is none.
-template <class Game>
-Aim planned(const std::optional<Practice<Game>>& practice, const carom::Ball& lead) {
-  Aim aim;
-  if (!practice || !practice->ready()) return aim;
-  aim.begin(lead.position);
-  aim.move(lead.position + *practice->drag());
-  return aim;
-}
 
 }  // namespace app

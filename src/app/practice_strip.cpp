@@ -1,17 +1,15 @@
 #include "app/practice_strip.hpp"
 
 #include <array>
-#include <numbers>
 
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
-#include "games/launch.hpp"
 
 namespace app {
 namespace {
 
-// In the order of the buttons.
-constexpr std::array keys{Key::backspace, Key::r, Key::down, Key::up, Key::left, Key::right};
+// Of the first buttons; the others do what the keys of aiming do.
+constexpr std::array keys{Key::backspace, Key::r};
 
 /// Of the width, as long as the labels are.
 constexpr std::array shares{0.21f, 0.18f, 0.165f, 0.165f, 0.14f, 0.14f};
@@ -60,10 +58,8 @@ void PracticeStrip::draw(Canvas& canvas) const {
   buttons_.draw(canvas);
 }
 
-std::string practised(const Words& words, carom::Vec2 drag) {
-  const carom::Vec2 velocity = games::launch_velocity(drag);
-  const double degrees = std::atan2(velocity.y, velocity.x) * 180 / std::numbers::pi;
-  return words(Text::practised, {words.tenths(carom::length(velocity)), words.tenths(degrees)});
+std::string practised(const Words& words, const Aim& aim) {
+  return words(Text::practised, {words.tenths(aim.speed()), words.tenths(aim.degrees())});
 }
 
 }  // namespace app

@@ -8,7 +8,8 @@
 
 namespace app {
 
-/// The buttons below the world that take back, repeat and change a throw, and their keys.
+/// The buttons below the world that take back, repeat and change a throw. Backspace takes back
+/// and R repeats, too.
 class PracticeStrip {
  public:
   explicit PracticeStrip(const Words& words);
@@ -18,6 +19,7 @@ class PracticeStrip {
   std::optional<PracticeCommand> event(const Input& input);
   bool has_button_at(Point at) const { return buttons_.cover(at); }
   Buttons& buttons() { return buttons_; }
+  const Buttons& buttons() const { return buttons_; }
   void draw(Canvas& canvas) const;
 
  private:
@@ -26,6 +28,6 @@ class PracticeStrip {
 };
 
 /// "559 px/s, 26.6°": what a repetition would throw.
-std::string practised(const Words& words, carom::Vec2 drag);
+std::string practised(const Words& words, const Aim& aim);
 
 }  // namespace app

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/aim_settings.hpp"
 #include "app/campaign.hpp"
 #include "app/clipboard.hpp"
 #include "app/kept_games.hpp"
@@ -29,6 +30,7 @@ struct Session {
   KeptGames kept;
   SavedReplays saved;
   Clipboard& clipboard;
+  AimSettings aiming;
   std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
   replay::Kind to_continue{};              ///< what Transition::load goes on with
   /// What Transition::resume goes on with.

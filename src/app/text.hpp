@@ -172,6 +172,14 @@ enum class Text : std::uint8_t {
   practice_off,
   hint_practice_levels,
   practice_only,
+  aimed,
+  entered_angle,
+  entered_speed,
+  hint_pull,
+  hint_let_go,
+  hint_turn,
+  hint_keys,
+  hint_entry,
   count,
 };
 

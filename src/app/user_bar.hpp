@@ -17,6 +17,7 @@ class UserBar {
   /// A click here is a button's business; elsewhere in the bar it may end a drag.
   bool has_button_at(Point at) const { return buttons_.cover(at); }
   Buttons& buttons() { return buttons_; }
+  const Buttons& buttons() const { return buttons_; }
 
  protected:
   /// Room for the game's own: side by side, or above each other in a narrow window.

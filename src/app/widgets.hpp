@@ -29,6 +29,9 @@ class Buttons {
   /// (null: none), in their order, as if they were one. Whether `input` was such a key: then it is
   /// done with.
   static bool move_focus(std::initializer_list<Buttons*> groups, const Input& input);
+  /// The focus is on none of them, as at the start.
+  void blur() { focused_.reset(); }
+  bool has_focus() const { return focused_.has_value(); }
   /// A click here is a button's business.
   bool cover(Point at) const { return find(at).has_value(); }
   void draw(Canvas& canvas, float text_size = 16) const;

@@ -40,7 +40,11 @@ A script is JSON Lines, one action a line in the order of time ("at", in seconds
 window pixels:
   {"at": 0.5, "click": [400, 300]}            also "button": "right"
   {"at": 1, "move": [10, 20]}
-  {"at": 1.5, "key": "Escape"}
+  {"at": 1, "press": [10, 20]}                and "release": the button is held in between
+  {"at": 1, "wheel": -2}                      notches
+  {"at": 1.5, "key": "Escape"}                also "Shift+Left", "Ctrl+Up"
+  {"at": 1.5, "hold": "Space"}                and "let_go"
+  {"at": 1.5, "type": "47.3"}
   {"at": 2, "screenshot": "shot.png"}
   {"at": 3, "print": true}                    says what is on screen
 It plays without a display, as fast as it can, the same every time, with no scores, games and levels

@@ -33,8 +33,23 @@ carom::Status NullPlatform::run(const Script& script, const Print& print) {
       click(at->at, at->button);
     } else if (const auto* move = std::get_if<Move>(&line.action)) {
       app_.event(app::PointerMoved{move->to});
+    } else if (const auto* down = std::get_if<PointerDown>(&line.action)) {
+      app_.event(app::PointerMoved{down->at});
+      app_.event(app::PointerPressed{down->at});
+    } else if (const auto* up = std::get_if<PointerUp>(&line.action)) {
+      app_.event(app::PointerMoved{up->at});
+      app_.event(app::PointerReleased{up->at});
+    } else if (const auto* wheel = std::get_if<Wheel>(&line.action)) {
+      app_.event(app::WheelTurned{wheel->notches});
     } else if (const auto* press = std::get_if<Press>(&line.action)) {
-      app_.event(app::KeyPressed{press->key});
+      app_.event(press->key);
+      app_.event(app::KeyReleased{press->key.key});
+    } else if (const auto* hold = std::get_if<Hold>(&line.action)) {
+      app_.event(app::KeyPressed{hold->key});
+    } else if (const auto* let_go = std::get_if<LetGo>(&line.action)) {
+      app_.event(app::KeyReleased{let_go->key});
+    } else if (const auto* type = std::get_if<Type>(&line.action)) {
+      for (const char sign : type->text) app_.event(app::Typed{sign});
     } else if (const auto* shot = std::get_if<Screenshot>(&line.action)) {
       if (carom::Status written = screenshot(shot->file); !written) return written;
     } else if (print) {

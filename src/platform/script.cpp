@@ -1,5 +1,6 @@
 #include "platform/script.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -36,8 +37,14 @@ constexpr std::array<std::pair<std::string_view, app::Key>, 17> keys{{
     {"Ctrl+V", app::Key::paste},
 }};
 
+constexpr std::string_view key_names =
+    "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down (these four also with Shift+ or "
+    "Ctrl+), R, N, Backspace, +, -, ., Ctrl+C or Ctrl+V";
+
 constexpr std::string_view line_form =
-    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\", \"print\"";
+    "an object with \"at\" and one of \"click\", \"move\", \"press\", \"release\", \"wheel\", "
+    "\"key\", \"hold\", \"let_go\", \"type\", \"screenshot\", \"print\"";
+constexpr double most_notches = 1000;
 
 std::optional<app::Point> point(const json& value) {
   if (!value.is_array() || value.size() != 2) return std::nullopt;
@@ -46,11 +53,31 @@ std::optional<app::Point> point(const json& value) {
   return app::Point{value[0].get<float>(), value[1].get<float>()};
 }
 
-std::optional<app::Key> key(const json& value) {
+std::optional<app::KeyPressed> key(const json& value) {
   if (!value.is_string()) return std::nullopt;
+  std::string_view wanted = value.get_ref<const std::string&>();
   for (const auto& [name, key] : keys)
-    if (value.get_ref<const std::string&>() == name) return key;
+    if (wanted == name) return app::KeyPressed{key, key == app::Key::back_tab};
+  app::KeyPressed pressed;
+  if (wanted.starts_with("Shift+"))
+    pressed.shift = true;
+  else if (wanted.starts_with("Ctrl+"))
+    pressed.ctrl = true;
+  else
+    return std::nullopt;
+  wanted.remove_prefix(wanted.find('+') + 1);
+  for (const auto& [name, key] : keys) {
+    const bool arrow = key == app::Key::left || key == app::Key::right || key == app::Key::up ||
+                       key == app::Key::down;
+    if (!arrow || wanted != name) continue;
+    pressed.key = key;
+    return pressed;
+  }
   return std::nullopt;
+}
+
+bool is_ascii(const std::string& text) {
+  return std::ranges::all_of(text, [](char sign) { return sign >= ' ' && sign <= '~'; });
 }
 
 carom::Error wrong(std::string pointer, const json& value, std::string expected) {
@@ -71,23 +98,38 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
       if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= longest))
         return wrong("/at", value, "a time from 0 to 86400 (s)");
       result.at = std::chrono::nanoseconds(std::llround(value.get<double>() * 1e9));
-    } else if (name == "click" || name == "move") {
+    } else if (name == "click" || name == "move" || name == "press" || name == "release") {
       const auto at = point(value);
       if (!at) return wrong("/" + name, value, "a point of the window, [x, y] (px)");
       ++actions;
       if (name == "click")
         result.action = Click{*at};
-      else
+      else if (name == "move")
         result.action = Move{*at};
-    } else if (name == "key") {
-      const auto pressed = key(value);
-      if (!pressed)
-        return wrong(
-            "/key", value,
-            "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down, R, N, Backspace, "
-            "+, -, ., Ctrl+C or Ctrl+V");
+      else if (name == "press")
+        result.action = PointerDown{*at};
+      else
+        result.action = PointerUp{*at};
+    } else if (name == "wheel") {
+      if (!value.is_number() || !(std::abs(value.get<double>()) <= most_notches))
+        return wrong("/wheel", value, "notches, from -1000 to 1000");
       ++actions;
-      result.action = Press{*pressed};
+      result.action = Wheel{value.get<float>()};
+    } else if (name == "key" || name == "hold" || name == "let_go") {
+      const auto pressed = key(value);
+      if (!pressed) return wrong("/" + name, value, std::string(key_names));
+      ++actions;
+      if (name == "key")
+        result.action = Press{*pressed};
+      else if (name == "hold")
+        result.action = Hold{pressed->key};
+      else
+        result.action = LetGo{pressed->key};
+    } else if (name == "type") {
+      if (!value.is_string() || !is_ascii(value.get_ref<const std::string&>()))
+        return wrong("/type", value, "a text of printable ASCII signs");
+      ++actions;
+      result.action = Type{value.get<std::string>()};
     } else if (name == "screenshot") {
       if (!value.is_string() || value.get_ref<const std::string&>().empty())
         return wrong("/screenshot", value, "the name of a PNG file to write");

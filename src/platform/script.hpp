@@ -19,8 +19,26 @@ struct Click {  ///< moves there, presses and releases
 struct Move {
   app::Point to;
 };
-struct Press {
+struct PointerDown {  ///< moves there and presses the left button
+  app::Point at;
+};
+struct PointerUp {  ///< moves there and releases the left button
+  app::Point at;
+};
+struct Wheel {
+  float notches = 0;  ///< away from the player is positive
+};
+struct Press {  ///< and releases
+  app::KeyPressed key;
+};
+struct Hold {  ///< a key, until it is let go
   app::Key key;
+};
+struct LetGo {
+  app::Key key;
+};
+struct Type {
+  std::string text;  ///< ASCII
 };
 struct Screenshot {
   std::string file;
@@ -30,14 +48,20 @@ struct Print {};  ///< says what is on screen
 
 struct ScriptLine {
   std::chrono::nanoseconds at{};  ///< from the start
-  std::variant<Click, Move, Press, Screenshot, Print> action;
+  std::variant<Click, Move, PointerDown, PointerUp, Wheel, Press, Hold, LetGo, Type, Screenshot,
+               Print>
+      action;
 };
 using Script = std::vector<ScriptLine>;
 
 /// Reads JSON Lines, one action a line, in the order of time; empty lines are skipped:
 ///   {"at": 0.5, "click": [400, 300]}        also "button": "right"
 ///   {"at": 1, "move": [10, 20]}
-///   {"at": 1.5, "key": "Escape"}
+///   {"at": 1, "press": [10, 20]}            and "release"
+///   {"at": 1, "wheel": -2}
+///   {"at": 1.5, "key": "Escape"}            also "Shift+Left", "Ctrl+Up", …
+///   {"at": 1.5, "hold": "Space"}            and "let_go"
+///   {"at": 1.5, "type": "47.3"}
 ///   {"at": 2, "screenshot": "shot.png"}
 ///   {"at": 3, "print": true}
 /// Gives all errors, each with its line.

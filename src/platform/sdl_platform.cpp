@@ -81,7 +81,7 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
   if ((key.mod & KMOD_CTRL) != 0) {
     if (key.sym == SDLK_c) return app::Key::copy;
     if (key.sym == SDLK_v) return app::Key::paste;
-    return std::nullopt;
+    if (key.sym == SDLK_r || key.sym == SDLK_n) return std::nullopt;
   }
   switch (key.sym) {
     case SDLK_RETURN:
@@ -193,10 +193,20 @@ class Player {
       case SDL_MOUSEBUTTONDOWN:
       case SDL_MOUSEBUTTONUP:
         return handle(event.button);
+      case SDL_MOUSEWHEEL:
+        app_.event(app::WheelTurned{event.wheel.preciseY});
+        return true;
       case SDL_KEYDOWN:
         return handle(event.key);
-      case SDL_TEXTINPUT:
-        return press(key_of(std::string_view(event.text.text)));
+      case SDL_KEYUP:
+        if (const auto key = key_of(event.key.keysym)) app_.event(app::KeyReleased{*key});
+        return true;
+      case SDL_TEXTINPUT: {
+        const std::string_view text = event.text.text;
+        if (text.size() == 1) app_.event(app::Typed{text.front()});
+        press(key_of(text));
+        return true;
+      }
       default:
         return false;
     }
@@ -227,11 +237,13 @@ class Player {
                                    app::Key::right, app::Key::up,       app::Key::down};
     if (press.repeat != 0 && key && std::ranges::find(repeating, *key) == repeating.end())
       return false;
-    return this->press(key);
+    return this->press(key, press.keysym.mod);
   }
 
-  bool press(std::optional<app::Key> key) {
-    if (key) app_.event(app::KeyPressed{*key});
+  bool press(std::optional<app::Key> key, int modifiers = KMOD_NONE) {
+    if (key)
+      app_.event(
+          app::KeyPressed{*key, (modifiers & KMOD_SHIFT) != 0, (modifiers & KMOD_CTRL) != 0});
     return key.has_value();
   }
 

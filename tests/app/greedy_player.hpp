@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/first_contact.hpp"
 #include "app/viewport.hpp"
 #include "games/billiards.hpp"
 #include "games/launch.hpp"
@@ -35,6 +34,22 @@ inline int worth(billiards::Game game, carom::Vec2 drag) {
 /// Whole pixels, so that a script can write the clicks down.
 inline app::Point on_pixel(app::Point p) { return {std::round(p.x), std::round(p.y)}; }
 
+/// Whether the cue ball can roll straight to a place with no ball in its way but the `aimed`.
+inline bool is_free(const carom::World& world, carom::Vec2 from, carom::Vec2 to,
+                    std::size_t aimed) {
+  const carom::Vec2 way = carom::unit(to - from);
+  for (std::size_t i = 1; i < world.size(); ++i) {
+    const carom::Vec2 between = world.ball(i).position - from;
+    const double along = carom::dot(between, way);
+    const double reach = world.ball(0).radius + world.ball(i).radius;
+    const double aside_squared = carom::length_squared(between) - along * along;
+    if (i != aimed && along > 0 && along < carom::length(to - from) + reach &&
+        aside_squared < reach * reach)
+      return false;
+  }
+  return true;
+}
+
 inline Shot choose_shot(const billiards::Game& game, const app::Viewport& viewport,
                         std::size_t tries) {
   struct Candidate {
@@ -64,8 +79,7 @@ inline Shot choose_shot(const billiards::Game& game, const app::Viewport& viewpo
       const carom::Vec2 to_hole = carom::unit(hole.position - red.position);
       const carom::Vec2 ghost = red.position - (red.radius + world.ball(0).radius) * to_hole;
       const carom::Vec2 direction = carom::unit(ghost - cue);
-      const auto contact = app::first_contact(world, 0, direction);
-      const bool direct = contact && contact->target == red.position;
+      const bool direct = is_free(world, cue, ghost, i);
       const double cut = carom::dot(direction, to_hole);
       if (direct && cut > 0.2) {
         add(cut, direction, 1900);

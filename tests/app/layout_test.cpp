@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
+#include "app/billiards_screen.hpp"
 #include "app/level_view.hpp"
 #include "app/player.hpp"
 #include "app/practice_strip.hpp"
@@ -133,6 +134,56 @@ TEST_P(Layout, AimWeakStrongAndCapped) {
   check();
   game.app().event(app::PointerMoved{{cue().x + 4000, cue().y}});
   check();
+}
+
+TEST_P(Layout, AimByPullKeysAndNumbers) {
+  for (const bool table : {true, false}) {
+    if (table) {
+      key(app::Key::enter);
+    } else {
+      game.press("Angry Balls");
+      choose_level(1);
+    }
+    game.pass(3s);
+    check();
+    const app::Point from = table ? cue() : projectile();
+    game.app().event(app::PointerPressed{from});
+    for (const float x : {20.0f, 4000.0f}) {
+      game.app().event(app::PointerMoved{{from.x - x, from.y + 7}});
+      check();
+    }
+    key(app::Key::escape);
+    game.app().event(app::PointerReleased{from});
+    key(app::Key::up);
+    check();
+    for (const char sign : std::string("-123.456")) game.app().event(app::Typed{sign});
+    check();
+    key(app::Key::tab);
+    for (const char sign : std::string("1234.567")) game.app().event(app::Typed{sign});
+    check();
+    key(app::Key::enter);
+    check();
+    key(app::Key::escape);
+    key(app::Key::escape);
+  }
+}
+
+/// The way of aiming that only a setting brings.
+TEST_P(Layout, TurnThenPower) {
+  app::Session session{game.store(), game.clipboard(), app::shipped_levels()};
+  session.aiming.way = app::AimWay::turn;
+  app::BilliardsScreen screen{app::Words(std::get<1>(GetParam())), session};
+  const app::View view = app::View::of(size.width, size.height);
+  screen.resize(view);
+  for (int i = 0; i < 300; ++i) screen.iterate(10ms);
+  app::Font font;
+  for (const bool turning : {false, true}) {
+    if (turning) screen.event(app::PointerMoved{{cue().x + 60, cue().y}});
+    app::DrawList list;
+    app::Canvas canvas{list, font, view};
+    screen.draw(canvas);
+    expect_sound(list.boxes, size);
+  }
 }
 
 TEST_P(Layout, WatchAndQuestion) {

@@ -13,17 +13,39 @@ TEST(Script, ReadsEveryAction) {
 {"at": 1, "click": [1, 2], "button": "right"}
 {"at": 1, "move": [10, -20]}
 {"key": "Shift+Tab", "at": 1.25}
-{"at": 2, "screenshot": "a.png"})");
+{"at": 2, "screenshot": "a.png"}
+{"at": 3, "press": [1, 2]}
+{"at": 3, "release": [3, 4]}
+{"at": 3, "wheel": -2.5}
+{"at": 3, "key": "Ctrl+Up"}
+{"at": 3, "hold": "Space"}
+{"at": 3, "let_go": "Space"}
+{"at": 3, "type": "47.3"}
+{"at": 3, "key": "Shift+Left"})");
   ASSERT_TRUE(script);
-  ASSERT_EQ(script.value().size(), 5u);
+  ASSERT_EQ(script.value().size(), 13u);
   const auto& click = std::get<platform::Click>(script.value()[0].action);
   EXPECT_EQ(script.value()[0].at, 500ms);
   EXPECT_EQ(click.at, (app::Point{400, 300.5f}));
   EXPECT_EQ(click.button, app::PointerButton::left);
   EXPECT_EQ(std::get<platform::Click>(script.value()[1].action).button, app::PointerButton::right);
   EXPECT_EQ(std::get<platform::Move>(script.value()[2].action).to, (app::Point{10, -20}));
-  EXPECT_EQ(std::get<platform::Press>(script.value()[3].action).key, app::Key::back_tab);
+  const app::KeyPressed back = std::get<platform::Press>(script.value()[3].action).key;
+  EXPECT_EQ(back.key, app::Key::back_tab);
+  EXPECT_TRUE(back.shift);
   EXPECT_EQ(std::get<platform::Screenshot>(script.value()[4].action).file, "a.png");
+  EXPECT_EQ(std::get<platform::PointerDown>(script.value()[5].action).at, (app::Point{1, 2}));
+  EXPECT_EQ(std::get<platform::PointerUp>(script.value()[6].action).at, (app::Point{3, 4}));
+  EXPECT_EQ(std::get<platform::Wheel>(script.value()[7].action).notches, -2.5f);
+  const app::KeyPressed up = std::get<platform::Press>(script.value()[8].action).key;
+  EXPECT_EQ(up.key, app::Key::up);
+  EXPECT_TRUE(up.ctrl && !up.shift);
+  EXPECT_EQ(std::get<platform::Hold>(script.value()[9].action).key, app::Key::space);
+  EXPECT_EQ(std::get<platform::LetGo>(script.value()[10].action).key, app::Key::space);
+  EXPECT_EQ(std::get<platform::Type>(script.value()[11].action).text, "47.3");
+  const app::KeyPressed left = std::get<platform::Press>(script.value()[12].action).key;
+  EXPECT_EQ(left.key, app::Key::left);
+  EXPECT_TRUE(left.shift && !left.ctrl);
 }
 
 TEST(Script, EmptyIsFine) {
@@ -45,7 +67,8 @@ TEST_P(BadScript, IsReportedWithItsLine) {
 }
 
 constexpr const char* form =
-    "an object with \"at\" and one of \"click\", \"move\", \"key\", \"screenshot\", \"print\"";
+    "an object with \"at\" and one of \"click\", \"move\", \"press\", \"release\", \"wheel\", "
+    "\"key\", \"hold\", \"let_go\", \"type\", \"screenshot\", \"print\"";
 const std::string not_json = std::string("file:2: is no JSON object; expected ") + form;
 const std::string unknown = std::string("file:1: /wait: is an unknown key; expected ") + form;
 const std::string nothing = std::string("file:1: is {\"at\":1}; expected ") + form;
@@ -66,7 +89,16 @@ INSTANTIATE_TEST_SUITE_P(
             "file:1: /click: is [1,1e+300]; expected a point of the window, [x, y] (px)"},
         Bad{"{\"at\":1,\"key\":\"Q\"}",
             "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down, R, N, Backspace, +, -, ., Ctrl+C or Ctrl+V"},
+            "Right, Up, Down (these four also with Shift+ or Ctrl+), R, N, Backspace, +, -, ., "
+            "Ctrl+C or Ctrl+V"},
+        Bad{"{\"at\":1,\"hold\":\"Ctrl+R\"}",
+            "file:1: /hold: is \"Ctrl+R\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
+            "Right, Up, Down (these four also with Shift+ or Ctrl+), R, N, Backspace, +, -, ., "
+            "Ctrl+C or Ctrl+V"},
+        Bad{"{\"at\":1,\"wheel\":1001}",
+            "file:1: /wheel: is 1001; expected notches, from -1000 to 1000"},
+        Bad{"{\"at\":1,\"type\":\"\u00e9\"}",
+            "file:1: /type: is \"\u00e9\"; expected a text of printable ASCII signs"},
         Bad{"{\"at\":1,\"print\":false}", "file:1: /print: is false; expected true"},
         Bad{"{\"at\":1,\"move\":[1,2],\"button\":\"left\"}",
             "file:1: /button: is \"left\"; expected \"left\" or \"right\", beside \"click\""},

@@ -109,8 +109,9 @@ def billiards(window, pictures):
     window.wait_for("title screen")
 
 
-def practice(window):
-    """A shot, taken back and repeated; practice leaves without a question."""
+def practice(window, pictures):
+    """A shot, taken back and repeated, edited by keys and wheel; a pull; practice leaves without a
+    question."""
     window.click(330, 402)
     window.wait_for("practice: Player 1 aims")
     window.click(460, 357)
@@ -120,6 +121,30 @@ def practice(window):
     window.wait_for("practice: Player 1 aims")
     window.key("r")
     window.wait_for("practice: Player 1 watches")
+    window.key("BackSpace")
+    window.wait_for("practice: Player 1 aims")
+    # What was taken back is aimed again: edited by keys, wheel and numbers, and shot by Enter.
+    window.key("shift+Left")
+    window.xdotool("click", 4)
+    for key in ("1", "7", "8", "period", "5", "Tab", "6", "0", "Return"):
+        window.key(key)
+    time.sleep(0.3)
+    window.colours_on_screen(pictures / "window-aim.png")
+    window.wait_for("practice: Player 1 aims")
+    window.key("Return")
+    window.wait_for("practice: Player 1 watches")
+    window.key("BackSpace")
+    window.wait_for("practice: Player 1 aims")
+    # A pull that comes back to the ball is none; one that is let go shoots.
+    for x, state in ((462, "aims"), (300, "watches")):
+        window.move(460, 357)
+        window.xdotool("mousedown", 1)
+        window.move(380, 357)
+        window.move(x, 357)
+        time.sleep(0.1)
+        window.xdotool("mouseup", 1)
+        time.sleep(0.3)
+        window.wait_for(f"practice: Player 1 {state}")
     window.key("Escape")
     window.wait_for("title screen")
 
@@ -223,7 +248,7 @@ def main():
         data = pathlib.Path(folder)
         window = Window(options.program, data, f"{WIDTH}x{HEIGHT}")
         billiards(window, options.pictures)
-        practice(window)
+        practice(window, options.pictures)
         window.click(340, 562)  # Quit
         window.wait_for_end()
 

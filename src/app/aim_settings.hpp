@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace app {
+
+/// How much of what will happen is shown while a player aims (preview.hpp).
+enum class PreviewLength : std::uint8_t {
+  off,      ///< only where the launch goes
+  contact,  ///< up to the first ball that is hit
+  brief,    ///< and the first stretch of both balls after it
+  full,     ///< the whole turn; only in practice, elsewhere it means brief
+};
+
+/// What the pointer does to aim. The keyboard aims in each way, and a click on the lead that does
+/// not move starts the report's two clicks in each way.
+enum class AimWay : std::uint8_t {
+  clicks,  ///< one click on the lead, one where to send it (§1.4.1)
+  pull,    ///< press on the lead, pull back as with a sling, let go
+  turn,    ///< the pointer turns; wheel, bar or Space held set the strength; a click launches
+};
+
+/// What a player chooses about aiming.
+struct AimSettings {
+  PreviewLength preview = PreviewLength::brief;
+  AimWay way = AimWay::pull;
+  friend bool operator==(const AimSettings&, const AimSettings&) = default;
+};
+
+}  // namespace app
