@@ -38,12 +38,15 @@ carom::Scene rack() {
 }
 
 // The rack is sound: the test that plays it would not start otherwise.
-Game::Game() : world_(carom::World::create(rack()).value()) {}
+Game::Game(Options options)
+    : world_(carom::World::create(rack()).value()),
+      options_{.first_player = options.first_player == 1 ? 1 : 0, .keep_turn = options.keep_turn},
+      player_(options_.first_player) {}
 
 carom::Status Game::apply(const Command& command) {
   if (const auto* shot = std::get_if<Shoot>(&command)) return shoot(shot->drag);
   if (const auto* placement = std::get_if<Place>(&command)) return place(placement->position);
-  *this = Game();
+  *this = Game(options_);
   return carom::Done{};
 }
 
@@ -53,6 +56,7 @@ carom::Status Game::shoot(carom::Vec2 drag) {
   if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
   phase_ = Phase::roll;
   turn_steps_ = 0;
+  ++tally().shots;
   return carom::Done{};
 }
 
@@ -101,18 +105,21 @@ void Game::step() {
   score_pocketed(ids);
 
   const bool cue_fell = !world_.in_play(0);
-  if (cue_fell) events_.push_back({.kind = EventKind::cue_pocketed, .player = player_});
+  if (cue_fell) {
+    ++tally().fouls;
+    events_.push_back({.kind = EventKind::cue_pocketed, .player = player_});
+  }
   if (reds_left() == 0) {
     phase_ = Phase::over;
     events_.push_back({.kind = EventKind::over, .player = player_});
   } else if (cue_fell) {
     // The other balls keep their speeds and wait for the next shot (§1.4.1).
     phase_ = Phase::place;
-    pass_turn();
+    pass_turn(1 - player_);
   } else if (world_.at_rest() || turn_steps_ >= max_turn_steps) {
     world_.stop();
     phase_ = Phase::aim;
-    pass_turn();
+    pass_turn(options_.keep_turn && turn_balls_ > 0 ? player_ : 1 - player_);
   }
 }
 
@@ -126,12 +133,14 @@ void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
     const int points = points_for(++turn_balls_);
     turn_points_ += points;
     scores_[static_cast<std::size_t>(player_)] += points;
+    ++tally().balls;
+    tally().best_turn = std::max(tally().best_turn, turn_points_);
     events_.push_back({.kind = EventKind::scored, .player = player_, .ball = id, .points = points});
   }
 }
 
-void Game::pass_turn() {
-  player_ = 1 - player_;
+void Game::pass_turn(int next) {
+  player_ = next;
   turn_balls_ = turn_points_ = 0;
   events_.push_back({.kind = EventKind::turn, .player = player_});
 }

@@ -30,6 +30,14 @@ inline constexpr std::uint64_t max_turn_steps = 12'000;
 /// The table at the start: 800 × 400 px, six holes, the rack, the cue ball (spec §1, §7).
 carom::Scene rack();
 
+/// What players may agree on before a game. The defaults are the report's game.
+struct Options {
+  int first_player = 0;  ///< who has the first turn, 0 or 1; any other number means 0
+  bool keep_turn =
+      false;  ///< house rule: who scores has the next turn too, unless the cue ball fell
+  friend bool operator==(const Options&, const Options&) = default;
+};
+
 enum class Phase : std::uint8_t {
   aim,    ///< waiting for Shoot
   roll,   ///< balls in motion: step() is all there is to do
@@ -47,7 +55,7 @@ struct Place {
   carom::Vec2 position;
   friend bool operator==(const Place&, const Place&) = default;
 };
-/// A new game, at any time.
+/// A new game with the same options, at any time.
 struct Restart {};
 using Command = std::variant<Shoot, Place, Restart>;
 
@@ -57,7 +65,7 @@ enum class Obstruction : std::uint8_t { none, ball, hole, cushion };
 enum class EventKind : std::uint8_t {
   scored,        ///< `player` pocketed red `ball` for `points`
   cue_pocketed,  ///< `player`'s turn ends; the next one has the cue ball in hand
-  turn,          ///< `player` is on
+  turn,          ///< the next turn begins: `player` is on
   over,          ///< the game has ended
 };
 
@@ -69,9 +77,18 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
+/// What a player did in a game so far.
+struct Tally {
+  int balls = 0;      ///< reds pocketed
+  int best_turn = 0;  ///< the most points made in one turn
+  int shots = 0;      ///< the one whose balls still roll included
+  int fouls = 0;      ///< turns that pocketed the cue ball
+  friend bool operator==(const Tally&, const Tally&) = default;
+};
+
 class Game {
  public:
-  Game();
+  explicit Game(Options options = {});
 
   /// Refuses, changing nothing, what the phase does not allow: Shoot outside aim or with a drag
   /// that is zero or not finite; Place outside place or where obstruction() is not none.
@@ -85,6 +102,7 @@ class Game {
   /// and no cushion (spec §7). A position that is not finite gives cushion.
   Obstruction obstruction(carom::Vec2 position) const;
 
+  const Options& options() const { return options_; }
   Phase phase() const { return phase_; }
   const carom::World& world() const { return world_; }
   int player() const { return player_; }  ///< who is on: 0 or 1
@@ -92,6 +110,8 @@ class Game {
   int turn_balls() const { return turn_balls_; }    ///< reds pocketed in this turn
   int turn_points() const { return turn_points_; }  ///< points made in this turn
   int reds_left() const;
+  /// `player`: 0 or 1.
+  const Tally& tally(int player) const { return tallies_[static_cast<std::size_t>(player)]; }
   /// Once over: who won; none for a draw (and before the end).
   std::optional<int> winner() const;
 
@@ -103,12 +123,15 @@ class Game {
   carom::Status shoot(carom::Vec2 drag);
   carom::Status place(carom::Vec2 position);
   void score_pocketed(std::span<const std::uint32_t> ids_by_index);
-  void pass_turn();
+  void pass_turn(int next);
+  Tally& tally() { return tallies_[static_cast<std::size_t>(player_)]; }
 
   carom::World world_;
+  Options options_;
   Phase phase_ = Phase::aim;
   int player_ = 0;
   std::array<int, 2> scores_{};
+  std::array<Tally, 2> tallies_{};
   int turn_balls_ = 0;
   int turn_points_ = 0;
   std::uint64_t turn_steps_ = 0;

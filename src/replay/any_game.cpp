@@ -9,7 +9,7 @@ namespace angry_balls = games::angry_balls;
 namespace billiards = games::billiards;
 
 carom::Result<AnyGame> start(const Replay& replay) {
-  if (!replay.level) return AnyGame(billiards::Game());
+  if (!replay.level) return AnyGame(billiards::Game(replay.options));
   auto game = angry_balls::Game::create(*replay.level);
   if (!game) return game.errors();
   return AnyGame(std::move(game).value());

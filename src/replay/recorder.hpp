@@ -23,7 +23,10 @@ class Recorder {
 
   /// `game`: at its start, nothing done yet.
   explicit Recorder(Game game) : game_(std::move(game)) {
-    if constexpr (std::is_same_v<Game, games::angry_balls::Game>) replay_.level = game_.level();
+    if constexpr (std::is_same_v<Game, games::angry_balls::Game>)
+      replay_.level = game_.level();
+    else
+      replay_.options = game_.options();
   }
 
   /// Goes on with a game that was kept: `so_far`, with full hashes, is how it was played.

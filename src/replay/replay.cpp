@@ -21,6 +21,10 @@ carom::Errors check(const Replay& replay) {
       errors.push_back(std::move(error));
     }
   }
+  if (replay.level && replay.options != games::billiards::Options{})
+    report("/game", "has options of billiards", "none in \"angry-balls\"");
+  if (replay.options.first_player != 0 && replay.options.first_player != 1)
+    report("/first-player", "is " + std::to_string(replay.options.first_player + 1), "1 or 2");
   for (std::size_t player = 0; player < 2; ++player)
     if (replay.score[player] < 0 || (replay.level && player == 1 && replay.score[player] != 0))
       report("/score/" + std::to_string(player), "is " + std::to_string(replay.score[player]),

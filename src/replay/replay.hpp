@@ -49,6 +49,7 @@ struct Move {
 /// A game from its start to its end, or to where it was left.
 struct Replay {
   std::optional<carom::Scene> level{};  ///< Angry Balls: the level as at the start; none: billiards
+  games::billiards::Options options{};  ///< billiards: what was agreed on; otherwise the default
   std::vector<Move> moves{};            ///< in their order
   /// Points at the end: of both players of billiards; in Angry Balls the second is 0.
   std::array<int, 2> score{};
@@ -65,6 +66,7 @@ struct Replay {
 inline constexpr std::uint64_t short_hash_mask = 0xff;
 
 /// All that is wrong with a replay as data (pointers as in its file): a level that is none,
+/// options or
 /// commands of the other game, numbers that are not finite or negative, more than the limits allow.
 /// Empty when it is sound. Whether the game went that way only playing tells.
 carom::Errors check(const Replay& replay);

@@ -30,7 +30,8 @@ constexpr std::string_view any_replay = R"(a replay: {"angry-balls-replay": 1, â
 
 // The keys, in the order in which they are written.
 constexpr std::string_view replay_keys[] = {
-    "angry-balls-replay", "physics", "rules", "game", "score", "level", "moves", "checksum"};
+    "angry-balls-replay", "physics", "rules", "game",  "first-player",
+    "keep-turn",          "score",   "level", "moves", "checksum"};
 constexpr std::string_view move_keys[] = {"command", "x", "y", "steps", "hash"};
 constexpr std::string_view game_names[] = {"billiards", "angry-balls"};  // in the order of Kind
 
@@ -86,6 +87,11 @@ std::string content(const Replay& replay) {
   number("rules", rules_version);
   begin("game");
   out += in_quotes(game_names[static_cast<std::size_t>(replay.kind())]);
+  if (replay.options.first_player != 0) number("first-player", replay.options.first_player + 1);
+  if (replay.options.keep_turn) {
+    begin("keep-turn");
+    out += "true";
+  }
   begin("score");
   out += '[' + std::to_string(replay.score[0]);
   if (replay.kind() == Kind::billiards) out += ", " + std::to_string(replay.score[1]);
@@ -173,7 +179,7 @@ class Reader {
 
   // nlohmann's SAX interface; returning false stops the parser.
   bool null() { return scalar({}); }
-  bool boolean(bool) { return scalar({}); }
+  bool boolean(bool truth) { return scalar({.truth = truth}); }
   bool number_integer(Json::number_integer_t) { return scalar({.number = number()}); }
   bool number_unsigned(Json::number_unsigned_t whole) {
     return scalar({.number = number(), .whole = whole});
@@ -291,11 +297,12 @@ class Reader {
  private:
   enum class Place : std::uint8_t { start, replay, score, level, moves, move };
 
-  // A value that is neither object nor array; of null and booleans nothing is known.
+  // A value that is neither object nor array; of null nothing is known.
   struct Scalar {
     std::optional<double> number{};
     std::optional<std::uint64_t> whole{};
     std::optional<std::string_view> text{};
+    std::optional<bool> truth{};
   };
 
   // The number that the parser has just taken, and one byte behind it.
@@ -368,6 +375,8 @@ class Reader {
       return "a number (px)";
     }
     if (key_ == "game") return R"("billiards" or "angry-balls")";
+    if (key_ == "first-player") return "1 or 2";
+    if (key_ == "keep-turn") return "true or false";
     if (key_ == "score") return "an array of the points made, in billiards by each player";
     if (key_ == "level") return "a level, an object";
     if (key_ == "checksum") return std::string(any_hash);
@@ -391,8 +400,10 @@ class Reader {
   }
 
   bool wrong_value(const Scalar& value) {
-    std::string problem = "is neither number nor text";
-    if (value.text) {
+    std::string problem = "is null";
+    if (value.truth) {
+      problem = *value.truth ? "is true" : "is false";
+    } else if (value.text) {
       problem = "is " + in_quotes(printable(*value.text));
     } else if (value.number) {
       problem = "is ";
@@ -418,6 +429,16 @@ class Reader {
     if (key_ == "checksum") {
       checksum_ = read_hash(value.text.value_or(""));
       return checksum_ || wrong_value(value);
+    }
+    if (key_ == "first-player") {
+      if (value.whole != 1U && value.whole != 2U) return wrong_value(value);
+      replay_.options.first_player = static_cast<int>(*value.whole) - 1;
+      return true;
+    }
+    if (key_ == "keep-turn") {
+      if (!value.truth) return wrong_value(value);
+      replay_.options.keep_turn = *value.truth;
+      return true;
     }
     if (key_ == "score" || key_ == "level" || key_ == "moves" || !value.whole)
       return wrong_value(value);
@@ -498,6 +519,9 @@ class Reader {
       key_ = key;
       if (key == "level" && of_billiards) {
         if (seen_ & bit) refuse("is given", R"(no level in "billiards")");
+      } else if (key == "first-player" || key == "keep-turn") {
+        if ((seen_ & bit) && !of_billiards)
+          refuse("is given", "no " + std::string(key) + R"( in "angry-balls")");
       } else if (!(seen_ & bit)) {
         refuse("is missing", expectation());
       } else if (key == "score" && scores_ != (of_billiards ? 2 : 1)) {

@@ -43,6 +43,17 @@ double from_zigzag(std::uint64_t code) {
   return static_cast<double>(code % 2 == 0 ? half : -half - 1) * text_grid;
 }
 
+// The game, as a number. Billiards with options of its own is a third one, followed by them.
+enum class Form : std::uint64_t { billiards, angry_balls, billiards_with_options };
+constexpr std::uint64_t second_begins = 1;  // bits of the options
+constexpr std::uint64_t keep_turn = 2;
+
+Form form_of(const Replay& replay) {
+  if (replay.level) return Form::angry_balls;
+  return replay.options == games::billiards::Options{} ? Form::billiards
+                                                       : Form::billiards_with_options;
+}
+
 constexpr std::size_t short_hash_bytes = 1;
 static_assert(short_hash_mask == (1 << 8 * short_hash_bytes) - 1);
 
@@ -134,7 +145,10 @@ class Writer {
   std::string write(const Replay& replay) {
     whole(physics_version);
     whole(rules_version);
-    whole(static_cast<std::uint64_t>(replay.kind()));
+    whole(static_cast<std::uint64_t>(form_of(replay)));
+    if (form_of(replay) == Form::billiards_with_options)
+      whole((replay.options.first_player == 1 ? second_begins : 0) |
+            (replay.options.keep_turn ? keep_turn : 0));
     whole(static_cast<std::uint64_t>(replay.score[0]));
     if (replay.level) {
       const std::string level = carom::write_scene(*replay.level);
@@ -197,10 +211,14 @@ class Reader {
       return carom::Error{.problem = made_by("rules", rules, rules_version)};
 
     Replay replay{.short_hashes = true};
-    const std::uint64_t kind = whole();
-    if (kind > 1) wrong_ = true;
+    const auto form = static_cast<Form>(whole());
+    const std::uint64_t options = form == Form::billiards_with_options ? whole() : 0;
+    if (form > Form::billiards_with_options || options > (second_begins | keep_turn)) wrong_ = true;
+    replay.options = {.first_player = (options & second_begins) != 0 ? 1 : 0,
+                      .keep_turn = (options & keep_turn) != 0};
+    const bool is_level = form == Form::angry_balls;
     replay.score[0] = points();
-    if (kind == static_cast<std::uint64_t>(Kind::angry_balls)) {
+    if (is_level) {
       auto level = games::angry_balls::read_level(take(whole()));
       if (wrong_) return damaged("it ends too early");
       if (!level) return level.errors();
@@ -220,12 +238,12 @@ class Reader {
     std::vector<std::uint64_t*> steps;
     for (std::size_t i = 0; i < count; ++i) {
       Move& move = replay.moves[i];
-      const auto form = static_cast<unsigned char>(forms[i]);
-      if (form > 7) wrong_ = true;
-      move.command = command_names[2 * kind + form % 2].command;
+      const auto bits = static_cast<unsigned char>(forms[i]);
+      if (bits > 7) wrong_ = true;
+      move.command = command_names[(is_level ? 2 : 0) + bits % 2].command;
       if (carom::Vec2* const vector = vector_of(move.command)) {
-        (form & 2U ? others : on_grid).push_back(&vector->x);
-        (form & 4U ? others : on_grid).push_back(&vector->y);
+        (bits & 2U ? others : on_grid).push_back(&vector->x);
+        (bits & 4U ? others : on_grid).push_back(&vector->y);
       }
       if (command_names[move.command.index()].moves) steps.push_back(&move.steps);
     }

@@ -175,7 +175,10 @@ carom::Scene random_level(Random& random) {
 
 PlayedGame play_random_game(std::uint64_t seed, replay::Kind kind) {
   Random random(seed);
-  if (kind == replay::Kind::billiards) return play(billiards::Game(), random);
+  if (kind == replay::Kind::billiards)
+    return play(
+        billiards::Game({.first_player = seed % 2 != 0 ? 1 : 0, .keep_turn = seed / 2 % 2 != 0}),
+        random);
   auto game = angry_balls::Game::create(random_level(random));
   // A narrow level full of obstacles may have no room for two balls.
   while (!game) game = angry_balls::Game::create(random_level(random));

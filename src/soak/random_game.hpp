@@ -35,7 +35,8 @@ struct PlayedGame {
 
 /// Plays a whole game and checks: the Invariants after every step; that the quadtree and testing
 /// all pairs give the same states; then that its replay, written as JSON, read, written as text and
-/// read again, is the same and verifies. The seed determines all of it.
+/// read again, is the same and verifies. The seed determines all of it, the options
+/// of billiards too.
 PlayedGame play_random_game(std::uint64_t seed, replay::Kind kind);
 
 }  // namespace soak

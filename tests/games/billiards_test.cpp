@@ -20,10 +20,12 @@ using carom::Vec2;
 using games::billiards::EventKind;
 using games::billiards::Game;
 using games::billiards::Obstruction;
+using games::billiards::Options;
 using games::billiards::Phase;
 using games::billiards::Place;
 using games::billiards::Restart;
 using games::billiards::Shoot;
+using games::billiards::Tally;
 
 /// Runs a turn to its end and returns its events.
 std::vector<games::billiards::Event> roll(Game& game) {
@@ -285,6 +287,64 @@ TEST(Billiards, AGameOfARandomPlayerEndsAndIsWonByTheHigherScore) {
     EXPECT_FALSE(game.apply(Shoot{{10, 0}})) << "the game is over";
   }
   EXPECT_LT(draws, 20);
+}
+
+TEST(Billiards, TheFirstPlayerIsAgreedOn) {
+  EXPECT_EQ(Game().player(), 0);
+  EXPECT_EQ(Game({.first_player = 7}).player(), 0);
+  Game game({.first_player = 1});
+  EXPECT_EQ(game.player(), 1);
+  ASSERT_TRUE(game.apply(Shoot{{-10, 3}}));
+  roll(game);
+  EXPECT_EQ(game.player(), 0);
+  ASSERT_TRUE(game.apply(Restart{}));
+  EXPECT_EQ(game.player(), 1);
+  EXPECT_EQ(game.options(), Options{.first_player = 1});
+}
+
+/// Whole games by the report's rules and by the house rule: the turn passes as agreed, points start
+/// from 100 in each, and the tallies are what the events add up to.
+TEST(Billiards, TheTurnPassesAsAgreedAndEverythingIsCounted) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    const Options options{.first_player = static_cast<int>(seed / 2 % 2),
+                          .keep_turn = seed % 2 != 0};
+    RandomPlayer player(seed);
+    Game game(options);
+    std::array<Tally, 2> counted{};
+    int kept = 0;
+    while (game.phase() != Phase::over) {
+      player.command(game);
+      if (game.phase() != Phase::roll) continue;
+      const int shooter = game.player();
+      Tally& tally = counted[static_cast<std::size_t>(shooter)];
+      ++tally.shots;
+      int points = 0;
+      int balls = 0;
+      bool foul = false;
+      for (const auto& event : roll(game)) {
+        EXPECT_EQ(event.player == shooter,
+                  event.kind != EventKind::turn || game.player() == shooter);
+        if (event.kind == EventKind::scored) {
+          EXPECT_EQ(event.points, 100 * ++balls);
+          points += event.points;
+        }
+        foul |= event.kind == EventKind::cue_pocketed;
+      }
+      tally.balls += balls;
+      tally.best_turn = std::max(tally.best_turn, points);
+      tally.fouls += foul ? 1 : 0;
+      if (game.phase() == Phase::over) break;
+      const bool keeps = options.keep_turn && balls > 0 && !foul;
+      EXPECT_EQ(game.player(), keeps ? shooter : 1 - shooter) << "seed " << seed;
+      EXPECT_EQ(game.turn_points(), 0);
+      kept += keeps ? 1 : 0;
+    }
+    for (int of = 0; of < 2; ++of)
+      EXPECT_EQ(game.tally(of), counted[static_cast<std::size_t>(of)]) << "seed " << seed;
+    EXPECT_EQ(counted[0].balls + counted[1].balls, games::billiards::reds);
+    EXPECT_GT(counted[0].fouls + counted[1].fouls, 0) << "no game tells a foul from a shot";
+    EXPECT_EQ(kept > 0, options.keep_turn);
+  }
 }
 
 TEST(Billiards, NoBallEverLeavesTheTableOrTurnsNaNIn1000RandomBreaks) {

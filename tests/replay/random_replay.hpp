@@ -24,6 +24,9 @@ inline replay::Replay random_replay(std::uint64_t seed) {
   const bool billiards = random.one_in(2);
   replay.score = {static_cast<int>(random.below(5000)),
                   billiards ? static_cast<int>(random.below(5000)) : 0};
+  if (billiards && random.one_in(2))
+    replay.options = {.first_player = static_cast<int>(random.below(2)),
+                      .keep_turn = random.one_in(2)};
   if (!billiards) {
     do replay.level = soak::random_level(random);
     while (!games::angry_balls::Game::create(*replay.level));

@@ -4,6 +4,10 @@
 
 #include "replay/games.hpp"
 #include "replay/player.hpp"
+#include "replay/replay_file.hpp"
+#include "replay/replay_text.hpp"
+#include "soak/random.hpp"
+#include "soak/random_game.hpp"
 
 namespace {
 
@@ -116,6 +120,41 @@ TEST(Recorder, TellsWhenTheNextStepWouldGoBeyondTheLimits) {
   EXPECT_FALSE(replay::Recorder(recorder.game(), longest).has_room());
   --longest.moves.back().steps;
   EXPECT_TRUE(replay::Recorder(recorder.game(), longest).has_room());
+}
+
+/// Whole random games: played, written in both forms, read, played again.
+TEST(Recorder, WritesDownTheOptionsOfBilliards) {
+  for (const billiards::Options options :
+       {billiards::Options{}, {.first_player = 1}, {.keep_turn = true}, {1, true}}) {
+    soak::Random random(4);
+    replay::Recorder<billiards::Game> recorder{billiards::Game(options)};
+    while (recorder.game().phase() != billiards::Phase::over) {
+      if (const auto command = soak::random_command(recorder.game(), random)) {
+        ASSERT_TRUE(recorder.apply(*command));
+      }
+      recorder.step();
+    }
+    const replay::Replay replay = recorder.replay();
+    EXPECT_EQ(replay.options, options);
+    for (const std::string& written : {replay::write_json(replay), replay::write_text(replay)}) {
+      const auto read = replay::read_replay(written);
+      ASSERT_TRUE(read) << carom::to_string(read.errors().front());
+      EXPECT_EQ(read.value().options, options);
+      auto player = replay::verify(read.value());
+      ASSERT_TRUE(player);
+      EXPECT_FALSE(player.value().divergence());
+      ASSERT_TRUE(player.value().seek(player.value().turns().size()));
+      const auto& played = std::get<billiards::Game>(player.value().game());
+      for (int of = 0; of < 2; ++of) EXPECT_EQ(played.tally(of), recorder.game().tally(of));
+      EXPECT_EQ(player.value().turns().front().player, options.first_player);
+      // By other rules the points fall to other players.
+      replay::Replay other = read.value();
+      other.options.keep_turn = !options.keep_turn;
+      EXPECT_TRUE(replay::verify(other).value().divergence());
+    }
+    ASSERT_TRUE(recorder.apply(billiards::Restart{}));
+    EXPECT_EQ(recorder.replay().options, options);
+  }
 }
 
 TEST(Recorder, AGameBeyondTheLimitsIsFoundOut) {

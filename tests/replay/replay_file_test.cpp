@@ -97,6 +97,23 @@ TEST(ReplayFile, RefusesChangesThatNoHashWouldShow) {
   EXPECT_EQ(problem(changed("\"y\": 31", "\"y\":310e-1")), "no problem") << "the same number";
 }
 
+TEST(ReplayFile, NamesOptionsOnlyWhereTheyAreNotTheDefault) {
+  replay::Replay replay;
+  const std::string plain = replay::write_json(replay);
+  EXPECT_EQ(plain.find("first-player"), std::string::npos);
+  EXPECT_EQ(plain.find("keep-turn"), std::string::npos);
+  // The default may be given all the same.
+  std::string explicitly = plain;
+  explicitly.insert(explicitly.find("\"score\""), "\"first-player\": 1, \"keep-turn\": false, ");
+  EXPECT_EQ(replay::read_json(explicitly).value(), replay);
+  replay.options = {.first_player = 1, .keep_turn = true};
+  const std::string written = replay::write_json(replay);
+  EXPECT_NE(written.find("\"first-player\": 2,\n  \"keep-turn\": true,\n"), std::string::npos);
+  EXPECT_EQ(replay::read_json(written).value(), replay);
+  replay.options.first_player = 2;
+  EXPECT_EQ(carom::to_string(check(replay).front()), "/first-player: is 3; expected 1 or 2");
+}
+
 TEST(ReplayFile, AShortGameTakesAFewHundredBytes) {
   replay::Replay replay = short_billiards().replay();
   EXPECT_LT(replay::write_json(replay).size(), 600U);
@@ -111,7 +128,9 @@ class Refused : public testing::TestWithParam<Wrong> {};
 
 TEST_P(Refused, WithPlaceAndReason) { EXPECT_EQ(problem(GetParam().json), GetParam().problem); }
 
-const std::string keys = "angry-balls-replay, physics, rules, game, score, level, moves, checksum";
+const std::string keys =
+    "angry-balls-replay, physics, rules, game, first-player, keep-turn, score, level, moves, "
+    "checksum";
 const std::string shot = R"({"command": "shoot", "x": 1, "y": 2, "steps": 3, )" + hash + "}";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -133,8 +152,19 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{R"({"game": "chess"})",
               "1:10: /game: is \"chess\"; expected \"billiards\" or \"angry-balls\"\n"},
         Wrong{R"({"game": null})",
-              "1:10: /game: is neither number nor text; expected \"billiards\" or "
+              "1:10: /game: is null; expected \"billiards\" or "
               "\"angry-balls\"\n"},
+        Wrong{R"({"game": true})",
+              "1:10: /game: is true; expected \"billiards\" or \"angry-balls\"\n"},
+        Wrong{R"({"first-player": 0})", "1:18: /first-player: is 0; expected 1 or 2\n"},
+        Wrong{R"({"first-player": 3})", "1:18: /first-player: is 3; expected 1 or 2\n"},
+        Wrong{R"({"first-player": 1.5})", "1:18: /first-player: is 1.5; expected 1 or 2\n"},
+        Wrong{R"({"keep-turn": 1})", "1:15: /keep-turn: is 1; expected true or false\n"},
+        Wrong{R"({"keep-turn": "true"})",
+              "1:15: /keep-turn: is \"true\"; expected true or false\n"},
+        Wrong{R"({"game": "angry-balls", "keep-turn": false, "angry-balls-replay": 1,
+  "physics": 1, "rules": 1})",
+              "1:38: /keep-turn: is given; expected no keep-turn in \"angry-balls\"\n"},
         Wrong{R"({"news": 1})", "1:10: /news: is an unknown key; expected one of " + keys + "\n"},
         Wrong{R"({"rules": 1, "rules": 1})",
               "1:23: /rules: is given twice; expected every key at most once\n"},

@@ -40,6 +40,20 @@ TEST(ReplayText, IsWhatTheFormatSays) {
   EXPECT_EQ(replay::read_text(text_of(whole)).value(), with_short_hashes(replay));
 }
 
+TEST(ReplayText, OptionsOfBilliardsAreAnotherGame) {
+  replay::Replay replay;
+  const auto with = [](char options) {
+    return text_of(std::string("\x01\x01\x02", 3) + options + std::string("\0\0\0", 3));
+  };
+  replay.options.first_player = 1;
+  EXPECT_EQ(replay::write_text(replay), with(1));
+  replay.options.keep_turn = true;
+  EXPECT_EQ(replay::write_text(replay), with(3));
+  EXPECT_EQ(replay::read_text(with(3)).value(), with_short_hashes(replay));
+  EXPECT_NE(problem(with(0)), "no problem") << "a second form of the usual game";
+  EXPECT_NE(problem(with(4)), "no problem");
+}
+
 TEST(ReplayText, AnySoundReplayIsReadBack) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const replay::Replay replay = random_replay(seed);
