@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// The name of the settings, which the platform keeps where settings lie; all else are data.
+inline constexpr const char* settings_file = "settings.json";
+
 /// Keeps texts by name beyond the program's end. A name may begin with a folder: "replays/a.json".
 /// The platform knows where.
 class Store {

@@ -27,33 +27,40 @@ std::optional<fs::path> data_folder() {
   return std::nullopt;
 }
 
-FolderStore::FolderStore(fs::path folder) : folder_(std::move(folder)) {
-  files::remove_abandoned(folder_, ".json");
-  files::remove_abandoned(folder_ / "replays", ".json");
+std::optional<fs::path> config_folder() {
+  if (const auto config = environment_folder("XDG_CONFIG_HOME")) return *config / "angry-balls";
+  if (const auto home = environment_folder("HOME")) return *home / ".config/angry-balls";
+  return std::nullopt;
+}
+
+FolderStore::FolderStore(fs::path data, fs::path config)
+    : data_(std::move(data)), config_(std::move(config)) {
+  for (const fs::path& folder : {data_, data_ / "replays", config_})
+    files::remove_abandoned(folder, ".json");
 }
 
 carom::Result<std::optional<std::string>> FolderStore::load(const std::string& name) {
   std::error_code ignored;
-  if (fs::symlink_status(folder_ / name, ignored).type() == fs::file_type::not_found)
+  if (fs::symlink_status(path_of(name), ignored).type() == fs::file_type::not_found)
     return std::optional<std::string>();
-  if (!fs::is_regular_file(folder_ / name, ignored))
+  if (!fs::is_regular_file(path_of(name), ignored))
     return carom::Error{.pointer = name, .problem = "is no file"};
-  if (const auto size = fs::file_size(folder_ / name, ignored); !ignored && size > max_text)
+  if (const auto size = fs::file_size(path_of(name), ignored); !ignored && size > max_text)
     return carom::Error{.pointer = name, .problem = "is larger than 16 MiB"};
-  auto text = files::read(folder_ / name);
+  auto text = files::read(path_of(name));
   if (!text) return text.errors();
   return std::optional(std::move(text).value());
 }
 
 carom::Status FolderStore::save(const std::string& name, const std::string& text) {
-  const fs::path path = folder_ / name;
+  const fs::path path = path_of(name);
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);  // write() tells if it is not there
   return files::write(path, text);
 }
 
 carom::Result<bool> FolderStore::save_new(const std::string& name, const std::string& text) {
-  const fs::path path = folder_ / name;
+  const fs::path path = path_of(name);
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);  // write_new() tells if it is not there
   return files::write_new(path, text);
@@ -61,17 +68,21 @@ carom::Result<bool> FolderStore::save_new(const std::string& name, const std::st
 
 carom::Status FolderStore::remove(const std::string& name) {
   std::error_code error;
-  fs::remove(folder_ / name, error);
+  fs::remove(path_of(name), error);
   if (error) return carom::Error{.pointer = name, .problem = error.message()};
   return carom::Done{};
 }
 
 carom::Status FolderStore::set_aside(const std::string& name) {
   std::error_code error;
-  fs::path aside = folder_ / (name + ".broken");
-  for (int i = 2; fs::exists(aside, error); ++i)
-    aside = folder_ / (name + ".broken-" + std::to_string(i));
-  fs::rename(folder_ / name, aside, error);
+  const fs::path path = path_of(name);
+  fs::path aside = path;
+  aside += ".broken";
+  for (int i = 2; fs::exists(aside, error); ++i) {
+    aside = path;
+    aside += ".broken-" + std::to_string(i);
+  }
+  fs::rename(path, aside, error);
   if (error) return carom::Error{.pointer = name, .problem = error.message()};
   return carom::Done{};
 }
@@ -79,7 +90,7 @@ carom::Status FolderStore::set_aside(const std::string& name) {
 std::vector<std::string> FolderStore::list(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
-  fs::directory_iterator entry(folder_ / folder, error);
+  fs::directory_iterator entry(data_ / folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code ignored;
     if (entry->path().extension() == ".json" && entry->is_regular_file(ignored))

@@ -14,14 +14,20 @@ namespace platform {
 /// None for a player without a home.
 std::optional<std::filesystem::path> data_folder();
 
-/// Keeps texts as files of a folder, made when first needed. A file is replaced as a whole or not
-/// at all; what a process that was killed left half written is removed at the start. One of more
-/// than max_text is not read.
+/// Where settings lie: $XDG_CONFIG_HOME/angry-balls, or ~/.config/angry-balls. None for a player
+/// without a home.
+std::optional<std::filesystem::path> config_folder();
+
+/// Keeps texts as files of a folder, made when first needed; the settings in another one. A file is
+/// replaced as a whole or not at all; what a process that was killed left half written is removed
+/// at the start. One of more than max_text is not read.
 class FolderStore final : public app::Store {
  public:
   static constexpr std::uintmax_t max_text = 16 << 20;  ///< bytes
 
-  explicit FolderStore(std::filesystem::path folder);
+  /// Everything in one folder.
+  explicit FolderStore(const std::filesystem::path& folder) : FolderStore(folder, folder) {}
+  FolderStore(std::filesystem::path data, std::filesystem::path config);
 
   carom::Result<std::optional<std::string>> load(const std::string& name) override;
   carom::Status save(const std::string& name, const std::string& text) override;
@@ -32,7 +38,12 @@ class FolderStore final : public app::Store {
   std::vector<std::string> list(const std::string& folder) override;
 
  private:
-  std::filesystem::path folder_;
+  std::filesystem::path path_of(const std::string& name) const {
+    return (name == app::settings_file ? config_ : data_) / name;
+  }
+
+  std::filesystem::path data_;
+  std::filesystem::path config_;
 };
 
 }  // namespace platform

@@ -123,6 +123,20 @@ TEST_F(DataFolder, KeepsAGameAndSetsABrokenOneAside) {
   EXPECT_FALSE(app::KeptGames(store).of(replay::Kind::billiards));
 }
 
+TEST_F(DataFolder, SettingsLieElsewhere) {
+  const fs::path config = folder.parent_path() / "config";
+  platform::FolderStore both(folder, config);
+  ASSERT_TRUE(both.save("settings.json", "one"));
+  ASSERT_TRUE(both.save("a.json", "two"));
+  EXPECT_TRUE(fs::exists(config / "settings.json"));
+  EXPECT_FALSE(fs::exists(folder / "settings.json"));
+  EXPECT_TRUE(fs::exists(folder / "a.json"));
+  EXPECT_EQ(both.load("settings.json").value(), "one");
+  ASSERT_TRUE(both.set_aside("settings.json"));
+  EXPECT_TRUE(fs::exists(config / "settings.json.broken"));
+  fs::remove_all(config);
+}
+
 TEST_F(DataFolder, AFolderInTheWayIsAnError) {
   fs::create_directories(folder / "a.json");
   EXPECT_FALSE(store.load("a.json"));
@@ -154,8 +168,15 @@ TEST(DataFolderPlace, FollowsTheEnvironment) {
     ::setenv("XDG_DATA_HOME", ignored, 1);
     EXPECT_EQ(platform::data_folder(), fs::path("/home/someone/.local/share/angry-balls"));
   }
+  const std::string config = std::getenv("XDG_CONFIG_HOME") ? std::getenv("XDG_CONFIG_HOME") : "";
+  ::setenv("XDG_CONFIG_HOME", "/config", 1);
+  EXPECT_EQ(platform::config_folder(), fs::path("/config/angry-balls"));
+  ::setenv("XDG_CONFIG_HOME", "relative", 1);
+  EXPECT_EQ(platform::config_folder(), fs::path("/home/someone/.config/angry-balls"));
   ::unsetenv("HOME");
   EXPECT_FALSE(platform::data_folder());
+  EXPECT_FALSE(platform::config_folder());
+  ::setenv("XDG_CONFIG_HOME", config.c_str(), 1);
   ::setenv("HOME", home.c_str(), 1);
   ::setenv("XDG_DATA_HOME", data.c_str(), 1);
 }
