@@ -33,13 +33,14 @@ bool AimEntry::accepts(char sign) {
 
 void AimEntry::event(const Input& input) {
   std::string& text = text_[field_];
-  if (const auto* typed = std::get_if<Typed>(&input)) {
-    const char sign = typed->sign;
-    const bool allowed = sign == '-' ? field_ == angle && text.empty()
-                         : is_digit(sign)
-                             ? true
-                             : accepts(sign) && text.find_first_of(".,") == std::string::npos;
-    if (allowed && text.size() < longest) text += sign;
+  if (const auto* typed = std::get_if<TextTyped>(&input)) {
+    for (const char sign : typed->text) {
+      const bool allowed = sign == '-' ? field_ == angle && text.empty()
+                           : is_digit(sign)
+                               ? true
+                               : accepts(sign) && text.find_first_of(".,") == std::string::npos;
+      if (allowed && text.size() < longest) text += sign;
+    }
   } else if (is_key(input, Key::backspace)) {
     if (!text.empty()) text.pop_back();
   } else if (is_key(input, Key::tab) || is_key(input, Key::back_tab)) {

@@ -79,6 +79,7 @@ void AngryBallsScreen::place_parts() {
     const Rect& world = layout_.world;
     const float height = view_.px(48);
     const Point middle{world.center().x, world.y + view_.px(16) + height / 2};
+    offered->prompt.relabel(0, next_label());
     offered->prompt.place(
         0, centered(middle, std::min(view_.px(300), world.w - view_.px(32)), height));
   }
@@ -126,6 +127,7 @@ Transition AngryBallsScreen::event(const Input& input) {
                           input))
     return Transition::stay;
   if (const auto command = bar_.event(input)) return obey(*command);
+  if (is_key(input, Key::settings)) return Transition::settings;
   if (is_key(input, Key::r)) return obey(UserBar::Command::restart);
 
   if (is_key(input, Key::escape)) return obey(UserBar::Command::close);
@@ -167,12 +169,13 @@ Launcher::Stage AngryBallsScreen::stage() const {
           .view = view_,
           .world = layout_.world,
           .meter = strength_meter(view_, layout_.footer),
-          .way = session_.aiming.way,
+          .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
           .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
 }
 
 Transition AngryBallsScreen::obey(UserBar::Command command) {
+  if (command == UserBar::Command::settings) return Transition::settings;
   const bool under_way =
       game().world().steps() > 0 && !std::holds_alternative<Over>(state_) && !played_.practice();
   if (command == UserBar::Command::close) {
@@ -209,6 +212,10 @@ Transition AngryBallsScreen::finish(std::size_t button) {
   }
 }
 
+std::string AngryBallsScreen::next_label() const {
+  return words_(game().throws_left() > 0 ? Text::next_throw : Text::finish);
+}
+
 void AngryBallsScreen::follow_phase() {
   switch (game().phase()) {
     case Phase::aim: {
@@ -226,8 +233,7 @@ void AngryBallsScreen::follow_phase() {
       state_ = WatchThrow{};
       break;
     case Phase::offer:
-      state_ = NextOffered{
-          Buttons({words_(game().throws_left() > 0 ? Text::next_throw : Text::finish)}, 0)};
+      state_ = NextOffered{Buttons({next_label()}, 0)};
       place_parts();
       return;  // the level goes on moving
     case Phase::won:
@@ -341,7 +347,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
     if (const auto to = launcher->pulled_to()) draw_sling(list, viewport_, projectile, *to);
     if (launcher->aim.active())
       draw_aim(list, viewport_, game().world(), launcher->aim,
-               previewer_.of(game().world(), launcher->aim, session_.aiming,
+               previewer_.of(game().world(), launcher->aim, session_.settings.get().aiming,
                              played_.practice().has_value()));
     else
       draw_invitation(list, viewport_, projectile, on_lead(projectile, pointer_, viewport_, view_),
@@ -389,7 +395,7 @@ std::string AngryBallsScreen::hint() const {
     return words_(Text::hint_repeat, {practised(words_, practice->plan)});
   if (launcher)
     return words_(
-        aim_hint(*launcher, session_.aiming.way,
+        aim_hint(*launcher, session_.settings.get().aiming.way,
                  {Text::hint_take_projectile, Text::hint_not_projectile, Text::hint_throw}));
   if (std::holds_alternative<NextOffered>(state_))
     return words_(game().throws_left() > 0 ? Text::hint_next : Text::hint_finish);

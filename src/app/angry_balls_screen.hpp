@@ -74,6 +74,7 @@ class AngryBallsScreen final : public Screen {
   std::string hint() const;
   Color hint_color() const;
   std::string title() const;
+  std::string next_label() const;
 
   Words words_;
   Session& session_;

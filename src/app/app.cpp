@@ -10,6 +10,7 @@
 #include "app/load_screen.hpp"
 #include "app/replay_list.hpp"
 #include "app/replay_screen.hpp"
+#include "app/settings_screen.hpp"
 #include "app/title_screen.hpp"
 
 namespace app {
@@ -24,11 +25,15 @@ std::vector<Level> with_shipped(std::vector<Level> own) {
 
 }  // namespace
 
-App::App(Language language, int width, int height, Store& store, Clipboard& clipboard,
+App::App(StartLanguage start, int width, int height, Store& store, Clipboard& clipboard,
          std::vector<Level> levels)
-    : words_(language),
+    : words_(start.language),
       session_(store, clipboard, with_shipped(std::move(levels))),
       view_(View::of(width, height)) {
+  session_.system_language = start.language;
+  if (start.asked) session_.asked_language = start.language;
+  words_.speak(language_of(session_));
+  words_.name_players(session_.settings.get().names);
   go(Transition::title);
 }
 
@@ -98,6 +103,9 @@ void App::go(Transition transition) {
           screen_, std::make_unique<ReplayScreen>(words_, session_, std::move(player).value()));
       break;
     }
+    case Transition::settings:
+      below_ = std::exchange(screen_, std::make_unique<SettingsScreen>(words_, session_));
+      break;
     case Transition::back:
       screen_ = std::move(below_);
       break;

@@ -17,7 +17,7 @@ class App {
  public:
   /// The window's size in px. Store and clipboard must outlive this. `levels`: what the player has
   /// beside the shipped ones.
-  App(Language language, int width, int height, Store& store, Clipboard& clipboard,
+  App(StartLanguage start, int width, int height, Store& store, Clipboard& clipboard,
       std::vector<Level> levels = {});
 
   void event(const Input& input);

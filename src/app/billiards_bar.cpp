@@ -7,10 +7,10 @@
 
 namespace app {
 
-BilliardsBar::BilliardsBar(const Words& words)
-    : UserBar(words(Text::restart), words(Text::close)), words_(words) {}
+BilliardsBar::BilliardsBar(const Words& words) : words_(words) {}
 
 void BilliardsBar::resize(const View& view, const Rect& area) {
+  relabel(words_(Text::restart), words_(Text::close), words_(Text::settings));
   const float gap = view.px(8);
   auto [row, rest] = place(view, area);
   if (view.narrow()) {
@@ -51,8 +51,9 @@ void BilliardsBar::draw_player(Canvas& canvas, const Content& content, int playe
   label(canvas, rest.cut_right(score_width), score_style, score);
   rest.cut_right(canvas.px(8));
   const Color text = on ? palette::ink : palette::muted;
-  label(canvas, content.on ? rest.cut_top(rest.h * 0.52f) : rest, {Face::bold, 18, text},
-        words_.player(player));
+  const TextStyle name{Face::bold, 18, text};
+  label_or_elide(canvas, content.on ? rest.cut_top(rest.h * 0.52f) : rest, name,
+                 words_.player(player));
   if (content.on)
     label(canvas, rest, {on ? Face::bold : Face::regular, 16, text},
           words_(on ? Text::to_play : Text::waiting));

@@ -34,7 +34,7 @@ Text reason(Obstruction obstruction) {
 }  // namespace
 
 BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Mode mode)
-    : BilliardsScreen(words, session, BilliardsRecorder(billiards::Game())) {
+    : BilliardsScreen(words, session, BilliardsRecorder(billiards::Game(options_of(session)))) {
   if (mode == Mode::practice) played_.begin_practice();
 }
 
@@ -98,6 +98,7 @@ Transition BilliardsScreen::event(const Input& input) {
                           input))
     return Transition::stay;
   if (const auto command = bar_.event(input)) return request(*command);
+  if (is_key(input, Key::settings)) return Transition::settings;
 
   if (is_key(input, Key::escape)) return request(UserBar::Command::close);
   if (is_key(input, Key::r)) return request(UserBar::Command::restart);
@@ -124,7 +125,7 @@ Launcher::Stage BilliardsScreen::stage() const {
           .view = view_,
           .world = layout_.world,
           .meter = strength_meter(view_, layout_.footer),
-          .way = session_.aiming.way,
+          .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
           .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
 }
@@ -143,6 +144,7 @@ Rect BilliardsScreen::table_area() const {
 }
 
 Transition BilliardsScreen::request(UserBar::Command command) {
+  if (command == UserBar::Command::settings) return Transition::settings;
   // Nothing to lose.
   if (game().world().steps() == 0 || played_.practice()) return obey(command);
   const bool restart = command == UserBar::Command::restart;
@@ -160,10 +162,9 @@ Transition BilliardsScreen::obey(UserBar::Command command) {
     played_.forget();
     return Transition::title;
   }
-  if (played_.restart()) {
-    show_anew();
-    announce_turn(game().player(), {});
-  }
+  played_.restart(BilliardsRecorder(billiards::Game(options_of(session_))));
+  show_anew();
+  announce_turn(game().player(), {});
   return Transition::stay;
 }
 
@@ -227,22 +228,26 @@ Transition BilliardsScreen::iterate(nanoseconds elapsed) {
 
 void BilliardsScreen::step() {
   motion_.record(game().world());
+  const int shooter = game().player();
   played_.step();
   show_step(effects_, game(), words_);
-  for (const billiards::Event& event : game().events()) note(event);
+  for (const billiards::Event& event : game().events()) note(event, shooter);
   if (game().phase() == Phase::roll) return;
+  if (game().phase() == Phase::over && !played_.practice())
+    session_.last_game = {game().options().first_player, game().winner()};
   follow_phase();
   keep();
 }
 
-void BilliardsScreen::note(const billiards::Event& event) {
+/// `shooter`: whose turn it was before the step.
+void BilliardsScreen::note(const billiards::Event& event, int shooter) {
   using billiards::EventKind;
   switch (event.kind) {
     case EventKind::scored:
       turn_points_ += event.points;
       break;
     case EventKind::turn: {
-      const std::string before = words_.player(1 - event.player);
+      const std::string before = words_.player(shooter);
       announce_turn(event.player,
                     game().phase() == Phase::place
                         ? words_(Text::cue_ball_in_hand, {words_.player(event.player)})
@@ -263,10 +268,17 @@ void BilliardsScreen::announce_turn(int player, const std::string& detail) {
 
 Dialog BilliardsScreen::result() const {
   const std::optional<int> winner = game().winner();
-  std::vector<Dialog::Line> lines;
-  lines.reserve(2);
-  for (int player = 0; player < 2; ++player)
-    lines.push_back({words_.player(player), words_.number(game().score(player)), player});
+  std::vector<Dialog::Line> lines{
+      {.columns = {{words_.player(0), words_.player(1)}}, .heads = true}};
+  const auto compare = [&](Text what, auto count) {
+    lines.push_back(
+        {.text = words_(what), .columns = {{words_.number(count(0)), words_.number(count(1))}}});
+  };
+  compare(Text::points_made, [&](int player) { return game().score(player); });
+  compare(Text::balls, [&](int player) { return game().tally(player).balls; });
+  compare(Text::best_turn, [&](int player) { return game().tally(player).best_turn; });
+  compare(Text::shots, [&](int player) { return game().tally(player).shots; });
+  compare(Text::fouls, [&](int player) { return game().tally(player).fouls; });
   return {
       winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
       std::move(lines),
@@ -294,7 +306,7 @@ void BilliardsScreen::draw(Canvas& canvas) const {
     if (const auto to = launcher->pulled_to()) draw_sling(canvas.list, viewport_, cue, *to);
     if (launcher->aim.active())
       draw_aim(canvas.list, viewport_, game().world(), launcher->aim,
-               previewer_.of(game().world(), launcher->aim, session_.aiming,
+               previewer_.of(game().world(), launcher->aim, session_.settings.get().aiming,
                              played_.practice().has_value()));
     else
       draw_invitation(canvas.list, viewport_, cue, on_lead(cue, pointer_, viewport_, view_),
@@ -343,7 +355,7 @@ std::string BilliardsScreen::hint() const {
   if (const auto& practice = played_.practice(); practice && practice->plan.active() && idle)
     return words_(Text::hint_repeat, {practised(words_, practice->plan)});
   if (launcher)
-    return words_(aim_hint(*launcher, session_.aiming.way,
+    return words_(aim_hint(*launcher, session_.settings.get().aiming.way,
                            {Text::hint_take_cue_ball, Text::hint_not_cue_ball, Text::hint_shoot}));
   if (std::holds_alternative<PlaceBall>(state_)) {
     const Obstruction obstruction = game().obstruction(on_grid(viewport_.to_world(pointer_)));
@@ -391,7 +403,8 @@ std::string BilliardsScreen::describe() const {
   }();
   if (played_.practice()) now = words_(Text::practice_state, {now});
   return words_(Text::state, {words_(Text::product), now, words_.number(game().score(0)),
-                              words_.number(game().score(1)), words_.number(game().reds_left())});
+                              words_.number(game().score(1)), words_.number(game().reds_left()),
+                              words_.player(0), words_.player(1)});
 }
 
 }  // namespace app

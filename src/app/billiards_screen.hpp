@@ -58,7 +58,7 @@ class BilliardsScreen final : public Screen {
   void step();
   void keep();
   void show_anew();
-  void note(const games::billiards::Event& event);
+  void note(const games::billiards::Event& event, int shooter);
   void announce_turn(int player, const std::string& detail);
   Dialog result() const;
 

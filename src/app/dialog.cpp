@@ -66,11 +66,15 @@ void Dialog::draw(Canvas& canvas) const {
                  Paint::vertical(panel_, palette::brass, palette::brass_dark));
 
   Rect rest = panel_.inset(canvas.px(padding));
-  label(canvas, rest.cut_top(canvas.px(title_height)),
-        {Face::black, 32, palette::cream, Align::center}, title_);
+  label_or_elide(canvas, rest.cut_top(canvas.px(title_height)),
+                 {Face::black, 32, palette::cream, Align::center}, title_);
   rest.cut_top(canvas.px(gap / 2));
   for (const Line& line : lines_) {
     const Rect row = rest.cut_top(line_height_);
+    if (line.columns) {
+      draw_row(canvas, row, line);
+      continue;
+    }
     if (line.score.empty()) {
       label(canvas, row, {Face::regular, 20, palette::cream, Align::center}, line.text);
       continue;
@@ -88,6 +92,28 @@ void Dialog::draw(Canvas& canvas) const {
     label(canvas, column, {Face::regular, 20, palette::cream}, line.text);
   }
   buttons_.draw(canvas, 20);
+}
+
+void Dialog::draw_row(Canvas& canvas, Rect row, const Line& line) const {
+  row = centered(row.center(), std::min(canvas.px(440), row.w), row.h);
+  label(canvas, row.cut_left(row.w * 0.36f), {Face::regular, 20, palette::muted}, line.text);
+  for (std::size_t player = 0; player < 2; ++player) {
+    Rect box = player == 0 ? row.cut_left(row.w / 2) : row;
+    const std::string& value = (*line.columns)[player];
+    if (!line.heads) {
+      label(canvas, box, {Face::bold, 20, palette::cream, Align::center}, value);
+      continue;
+    }
+    const Color accent = palette::accents[player];
+    const TextStyle style{Face::bold, 20, accent};
+    const float sign = canvas.px(30);
+    const std::string name = elided(canvas, style, value, box.w - sign - canvas.px(8));
+    box = centered(box.center(), sign + label_width(canvas, style, name) + 1, box.h);
+    draw_marker(canvas.list, static_cast<int>(player), {box.x + canvas.px(11), box.center().y},
+                canvas.px(11));
+    box.cut_left(sign);
+    label(canvas, box, style, name);
+  }
 }
 
 }  // namespace app

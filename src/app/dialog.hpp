@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,9 +13,12 @@ namespace app {
 class Dialog {
  public:
   struct Line {
-    std::string text;
-    std::string score;          ///< set on the right; without one the text is in the middle
-    std::optional<int> player;  ///< whose sign stands before it
+    std::string text{};
+    std::string score{};          ///< set on the right; without one the text is in the middle
+    std::optional<int> player{};  ///< whose sign stands before it
+    /// A row of a table instead: the text, and what it says of both players.
+    std::optional<std::array<std::string, 2>> columns{};
+    bool heads = false;  ///< of a row: the columns are the players' names
   };
   /// The first button is the primary one; Esc means the last.
   Dialog(std::string title, std::vector<Line> lines, std::vector<std::string> buttons);
@@ -26,6 +30,8 @@ class Dialog {
   const std::string& title() const { return title_; }
 
  private:
+  void draw_row(Canvas& canvas, Rect row, const Line& line) const;
+
   std::string title_;
   std::vector<Line> lines_;
   Buttons buttons_;

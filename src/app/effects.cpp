@@ -151,10 +151,10 @@ void Effects::draw_announcement(Canvas& canvas, const Rect& table) const {
     box.cut_left(canvas.px(56));
   }
   const Rect line = two_lines ? box.cut_top(canvas.px(40)) : box;
-  label(canvas, line, headline, announcement_->headline);
+  label_or_elide(canvas, line, headline, announcement_->headline);
   if (two_lines)
-    label(canvas, box, {Face::regular, 18, faded(palette::muted, opacity), align},
-          announcement_->detail);
+    label_or_elide(canvas, box, {Face::regular, 18, faded(palette::muted, opacity), align},
+                   announcement_->detail);
 }
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include "app/geometry.hpp"
@@ -27,6 +28,7 @@ enum class Key : std::uint8_t {
   period,
   copy,   ///< Ctrl+C
   paste,  ///< Ctrl+V
+  settings,
 };
 
 struct PointerMoved {
@@ -48,12 +50,12 @@ struct KeyPressed {
 struct KeyReleased {
   Key key = Key::enter;
 };
-/// A sign typed, whatever keys that takes; ASCII.
-struct Typed {
-  char sign = ' ';
-};
 struct WheelTurned {
   float notches = 0;  ///< away from the player is positive
+};
+/// Text, whatever keys that took.
+struct TextTyped {
+  std::string text;  ///< UTF-8
 };
 /// The window's new size, px.
 struct Resized {
@@ -62,7 +64,7 @@ struct Resized {
 };
 
 using Input = std::variant<PointerMoved, PointerPressed, PointerReleased, KeyPressed, KeyReleased,
-                           Typed, WheelTurned, Resized>;
+                           TextTyped, WheelTurned, Resized>;
 
 /// The key pressed, if `input` is one.
 inline bool is_key(const Input& input, Key key) {

@@ -34,6 +34,13 @@ void label(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_
   if (!utf8.empty()) canvas.list.boxes.push_back({Box::Kind::text, ink, std::string(utf8), size});
 }
 
+void label_or_elide(Canvas& canvas, const Rect& box, const TextStyle& style,
+                    std::string_view utf8) {
+  TextStyle least = style;
+  least.size = std::min(style.size, 16.0f);
+  label(canvas, box, style, elided(canvas, least, utf8, box.w));
+}
+
 std::string elided(const Canvas& canvas, const TextStyle& style, std::string_view utf8,
                    float width) {
   if (label_width(canvas, style, utf8) <= width) return std::string(utf8);

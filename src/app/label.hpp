@@ -19,6 +19,10 @@ struct TextStyle {
 /// Writes one line in the middle of a box's height; a line too long for the box is set smaller.
 void label(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_view utf8);
 
+/// The same, but a line that would come out under 16 units is elided instead: for what may be of
+/// any length, such as names.
+void label_or_elide(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_view utf8);
+
 /// How wide the line comes out if it has all the room it wants, px.
 float label_width(const Canvas& canvas, const TextStyle& style, std::string_view utf8);
 

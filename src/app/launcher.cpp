@@ -96,8 +96,8 @@ Launcher::Outcome Launcher::event(const Input& input, const Stage& stage) {
     if (released->key == Key::space && charging_) charging_ = false;
     return Outcome::untouched;
   }
-  if (const auto* typed = std::get_if<Typed>(&input)) {
-    if (!entry && !AimEntry::accepts(typed->sign)) return Outcome::untouched;
+  if (const auto* typed = std::get_if<TextTyped>(&input)) {
+    if (!entry && std::ranges::none_of(typed->text, AimEntry::accepts)) return Outcome::untouched;
     begin();
     if (!entry) entry.emplace();
     entry->event(input);

@@ -13,10 +13,10 @@ constexpr int most_icons = 5;  ///< more throws than that are only a number
 
 }  // namespace
 
-LevelBar::LevelBar(const Words& words)
-    : UserBar(words(Text::retry), words(Text::menu)), words_(words) {}
+LevelBar::LevelBar(const Words& words) : words_(words) {}
 
 void LevelBar::resize(const View& view, const Rect& area) {
+  relabel(words_(Text::retry), words_(Text::menu), words_(Text::settings));
   auto [row, rest] = place(view, area);
   if (view.narrow()) {
     counts_[0] = row.cut_right(row.w * 0.3f);

@@ -63,9 +63,13 @@ class Played {
   const std::optional<carom::Vec2>& last_drag() const { return last_drag_; }
   bool restart() {
     if (!apply(Restart{})) return false;
-    if (practice_) practice_->restart();
-    forget();
+    restarted();
     return true;
+  }
+  /// The same with another game, at its start.
+  void restart(Recorder fresh) {
+    recorder_ = std::move(fresh);
+    restarted();
   }
   void step() { recorder_.step(); }
 
@@ -85,6 +89,11 @@ class Played {
   }
 
  private:
+  void restarted() {
+    if (practice_) practice_->restart();
+    forget();
+  }
+
   static constexpr bool billiards = std::is_same_v<Game, games::billiards::Game>;
   static constexpr replay::Kind kind =
       billiards ? replay::Kind::billiards : replay::Kind::angry_balls;

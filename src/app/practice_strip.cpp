@@ -11,6 +11,9 @@ namespace {
 // Of the first buttons; the others do what the keys of aiming do.
 constexpr std::array keys{Key::backspace, Key::r};
 
+constexpr std::array labels{Text::take_back,    Text::repeat,    Text::slower_throw,
+                            Text::faster_throw, Text::turn_left, Text::turn_right};
+
 /// Of the width, as long as the labels are.
 constexpr std::array shares{0.21f, 0.18f, 0.165f, 0.165f, 0.14f, 0.14f};
 
@@ -24,8 +27,7 @@ PracticeCommand command_of(std::size_t button) {
 }  // namespace
 
 PracticeStrip::PracticeStrip(const Words& words)
-    : buttons_({words(Text::take_back), words(Text::repeat), words(Text::slower_throw),
-                words(Text::faster_throw), words(Text::turn_left), words(Text::turn_right)}) {}
+    : words_(words), buttons_(std::vector<std::string>(labels.size())) {}
 
 float PracticeStrip::height(const View& view) { return view.px(48); }
 
@@ -35,6 +37,7 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
   Rect row = centered(area.center(), std::min(area.w, view.px(760)), area.h).inset(gap, view.px(5));
   const float room = row.w - gap * static_cast<float>(shares.size() - 1);
   for (std::size_t i = 0; i < shares.size(); ++i) {
+    buttons_.relabel(i, words_(labels[i]));
     buttons_.place(i, row.cut_left(room * shares[i]));
     row.cut_left(gap);
   }

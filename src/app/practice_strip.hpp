@@ -23,6 +23,7 @@ class PracticeStrip {
   void draw(Canvas& canvas) const;
 
  private:
+  Words words_;
   Buttons buttons_;
   Rect area_;
 };

@@ -18,11 +18,12 @@ enum class Transition : std::uint8_t {
   practice_table,
   levels,
   level,
-  load,     ///< plays the game kept up to where it was left
-  resume,   ///< goes on with the game loaded
-  replays,  ///< the replays saved
-  replay,   ///< shows a replay; the screen left is kept
-  back,     ///< to the screen kept
+  load,      ///< plays the game kept up to where it was left
+  resume,    ///< goes on with the game loaded
+  replays,   ///< the replays saved
+  replay,    ///< shows a replay; the screen left is kept
+  settings,  ///< the settings; the screen left is kept
+  back,      ///< to the screen kept
   quit,
 };
 
@@ -31,7 +32,8 @@ class Screen {
  public:
   virtual ~Screen() = default;
 
-  /// Called before all else, and whenever the window's size changes.
+  /// Called before all else, whenever the window's size changes, and when the player comes back to
+  /// a screen that was kept: then the language may be another.
   virtual void resize(const View& view) = 0;
   virtual Transition event(const Input& input) = 0;
   /// Only a screen that waits for something goes elsewhere by itself.

@@ -10,6 +10,8 @@
 #include "app/clipboard.hpp"
 #include "app/kept_games.hpp"
 #include "app/saved_replays.hpp"
+#include "app/settings.hpp"
+#include "app/text.hpp"
 #include "replay/recorder.hpp"
 
 namespace app {
@@ -24,18 +26,28 @@ struct Session {
       : campaign{std::move(levels), BestScores(store), 0},
         kept(store),
         saved(store),
+        settings(store),
         clipboard(shared) {}
 
   Campaign campaign;
   KeptGames kept;
   SavedReplays saved;
+  KeptSettings settings;
   Clipboard& clipboard;
-  AimSettings aiming;
+  Language system_language = Language::english;
+  /// Asked for at this start: stronger than the settings, until the player changes them.
+  std::optional<Language> asked_language;
+  std::optional<FinishedGame> last_game;   ///< of billiards, since the start
   std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
   replay::Kind to_continue{};              ///< what Transition::load goes on with
   /// What Transition::resume goes on with.
   std::optional<std::variant<BilliardsRecorder, LevelRecorder>> loaded;
 };
+
+/// The language to speak now.
+Language language_of(const Session& session);
+/// What a new game of billiards is played by.
+games::billiards::Options options_of(const Session& session);
 
 /// Makes what the clipboard holds the replay to watch; or tells why it is none.
 std::optional<ReplayFault> take_pasted(Session& session);

@@ -67,8 +67,8 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::watching, {"{0} watches the shot", "{0} regarde son tir"}},
     {Text::placing, {"{0} places the cue ball", "{0} place la boule blanche"}},
     {Text::state,
-     {"{0} · {1} · Player 1: {2} · Player 2: {3} · balls left: {4}",
-      "{0} · {1} · Joueur 1 : {2} · Joueur 2 : {3} · boules restantes : {4}"}},
+     {"{0} · {1} · {5}: {2} · {6}: {3} · balls left: {4}",
+      "{0} · {1} · {5} : {2} · {6} : {3} · boules restantes : {4}"}},
     {Text::choose_level, {"Choose a level", "Choisissez un niveau"}},
     {Text::level_menu, {"level menu", "choix du niveau"}},
     {Text::best, {"Best: {0}", "Record : {0}"}},
@@ -126,6 +126,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::menu_state, {"{0} · {1} · levels: {2}", "{0} · {1} · niveaux : {2}"}},
     {Text::continue_billiards,
      {"Continue: billiards, player {0}", "Reprendre : billard, joueur {0}"}},
+    {Text::continue_table, {"Continue: billiards", "Reprendre : billard"}},
     {Text::continue_level, {"Continue: level {0}", "Reprendre : niveau {0}"}},
     {Text::continue_named_level, {"Continue: {0}", "Reprendre : {0}"}},
     {Text::practice, {"Practice", "S’exercer"}},
@@ -233,6 +234,89 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::hint_entry,
      {"Type angle and speed. Tab: the other. Enter: take them.",
       "Saisissez angle et vitesse. Tab : l’autre. Entrée : valider."}},
+    {Text::points_made, {"Points", "Points"}},
+    {Text::balls, {"Balls", "Boules"}},
+    {Text::best_turn, {"Best turn", "Meilleur tour"}},
+    {Text::shots, {"Shots", "Tirs"}},
+    {Text::fouls, {"Fouls", "Fautes"}},
+    {Text::settings, {"Settings", "Réglages"}},
+    {Text::settings_state, {"{0} · {1} · {2}", "{0} · {1} · {2}"}},
+    {Text::settings_broken, {"Settings: starting afresh", "Réglages : valeurs de départ"}},
+    {Text::settings_unreadable,
+     {"The settings could not be read.", "Les réglages sont illisibles."}},
+    {Text::settings_set_aside,
+     {"They are kept under another name:", "Ils sont mis de côté sous le nom"}},
+    {Text::settings_blocked, {"Changes cannot be saved.", "Rien ne peut être gardé."}},
+    {Text::settings_not_kept,
+     {"Settings cannot be saved: they last until the end.",
+      "Les réglages ne peuvent pas être gardés."}},
+    {Text::hint_settings,
+     {"Click a line to change it, or use Tab and the arrow keys.",
+      "Cliquez sur une ligne, ou touches Tab et flèches."}},
+    {Text::tab_general, {"General", "Général"}},
+    {Text::tab_picture, {"Picture", "Image"}},
+    {Text::tab_aiming, {"Aiming", "Visée"}},
+    {Text::tab_players, {"Players", "Joueurs"}},
+    {Text::set_language, {"Language", "Langue"}},
+    {Text::set_volume, {"Volume", "Volume"}},
+    {Text::set_mute, {"Mute", "Muet"}},
+    {Text::set_hints, {"Hints", "Conseils"}},
+    {Text::set_colours, {"Colours", "Couleurs"}},
+    {Text::set_motion, {"Less motion", "Animations réduites"}},
+    {Text::set_shake, {"Screen shake", "Secousses"}},
+    {Text::set_way, {"Way of aiming", "Façon de viser"}},
+    {Text::set_preview, {"Preview", "Aperçu du tir"}},
+    {Text::set_name, {"Name of player {0}", "Nom du joueur {0}"}},
+    {Text::set_breaks, {"Who breaks", "Qui commence"}},
+    {Text::set_keep_turn, {"Scoring plays on", "Marquer rejoue"}},
+    {Text::about_language,
+     {"The language of everything, at once.", "La langue de tout le jeu, aussitôt."}},
+    {Text::about_volume, {"How loud balls and cushions are.", "La force des sons."}},
+    {Text::about_mute, {"No sound at all.", "Aucun son."}},
+    {Text::about_hints,
+     {"Tell what to do when nothing happens for a while.",
+      "Dit quoi faire quand rien ne se passe."}},
+    {Text::about_colours,
+     {"Palettes for eyes that see some colours alike.",
+      "Palettes pour qui confond certaines couleurs."}},
+    {Text::about_motion,
+     {"Fewer moving effects, for those whom they bother.",
+      "Moins d’effets animés, s’ils vous gênent."}},
+    {Text::about_shake,
+     {"A hard shock may shake the picture.", "Un choc violent peut secouer l’image."}},
+    {Text::about_way,
+     {"What mouse or finger does to aim. The keys always can.",
+      "Comment viser à la souris ou au doigt. Les touches y servent toujours."}},
+    {Text::about_preview,
+     {"How much of the shot is shown ahead. All of it: in practice only.",
+      "La part du tir montrée d’avance. Tout : à l’exercice seulement."}},
+    {Text::about_name,
+     {"Type a name; empty, it is “Player {0}”.", "Tapez un nom ; sans nom : « Joueur {0} »."}},
+    {Text::about_breaks,
+     {"Who has the first turn, from the next game of billiards on.",
+      "Qui joue le premier tour, dès la prochaine partie de billard."}},
+    {Text::about_keep_turn,
+     {"House rule: who pockets a ball has the next turn too. From the next game on.",
+      "Règle maison : qui marque rejoue. Dès la prochaine partie."}},
+    {Text::as_system, {"As the system", "Comme le système"}},
+    {Text::english, {"English", "English"}},
+    {Text::french, {"Français", "Français"}},
+    {Text::per_cent, {"{0}%", "{0}\u202f%"}},
+    {Text::yes, {"Yes", "Oui"}},
+    {Text::no, {"No", "Non"}},
+    {Text::colours_standard, {"Standard", "Standard"}},
+    {Text::colours_red_green, {"For red and green", "Pour rouge et vert"}},
+    {Text::colours_blue_yellow, {"For blue and yellow", "Pour bleu et jaune"}},
+    {Text::colours_high_contrast, {"High contrast", "Contraste élevé"}},
+    {Text::way_clicks, {"Two clicks", "Deux clics"}},
+    {Text::way_pull, {"Drag back, let go", "Tirer et lâcher"}},
+    {Text::way_turn, {"Turn, then power", "Tourner, puis doser"}},
+    {Text::preview_off, {"Off", "Aucun"}},
+    {Text::preview_contact, {"To the first contact", "Premier contact"}},
+    {Text::preview_short, {"A little further", "Un peu plus loin"}},
+    {Text::preview_full, {"All of it", "Tout"}},
+    {Text::breaks_alternate, {"In turn", "À tour de rôle"}},
+    {Text::breaks_loser, {"The loser", "Le perdant"}},
 }};
 
 struct LevelName {
@@ -268,7 +352,7 @@ Language language_of_locale(std::string_view locale) {
 
 std::string Words::operator()(Text text, std::initializer_list<std::string_view> values) const {
   const std::string_view pattern =
-      entries[static_cast<std::size_t>(text)].in[static_cast<std::size_t>(language_)];
+      entries[static_cast<std::size_t>(text)].in[static_cast<std::size_t>(language())];
   std::string out;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (pattern[i] == '{') {
@@ -283,7 +367,7 @@ std::string Words::operator()(Text text, std::initializer_list<std::string_view>
 }
 
 std::string Words::number(int value) const {
-  const std::string_view separator = language_ == Language::french ? "\u202f" : ",";
+  const std::string_view separator = language() == Language::french ? "\u202f" : ",";
   std::string digits = std::to_string(value);
   for (std::size_t at = digits.size(); at > 3 && digits[at - 4] != '-';) {
     at -= 3;
@@ -296,15 +380,18 @@ std::string Words::tenths(double value) const {
   const auto all = static_cast<int>(std::lround(value * 10));
   const int part = std::abs(all % 10);
   return (all < 0 ? "−" : "") + number(std::abs(all / 10)) +
-         (language_ == Language::french ? "," : ".") + std::to_string(part);
+         (language() == Language::french ? "," : ".") + std::to_string(part);
 }
 
 std::string Words::level_name(std::string_view name) const {
   for (const LevelName& known : level_names)
-    if (language_ == Language::french && known.english == name) return std::string(known.french);
+    if (language() == Language::french && known.english == name) return std::string(known.french);
   return std::string(name);
 }
 
-std::string Words::player(int player) const { return (*this)(Text::player, {number(player + 1)}); }
+std::string Words::player(int player) const {
+  const std::string& name = voice_->names[static_cast<std::size_t>(player)];
+  return name.empty() ? (*this)(Text::player, {number(player + 1)}) : name;
+}
 
 }  // namespace app

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// Every word the player reads.
 namespace app {
@@ -12,6 +15,15 @@ enum class Language : std::uint8_t { english, french };
 
 /// From a POSIX locale's name such as "fr_CA.UTF-8"; English unless it is French.
 Language language_of_locale(std::string_view locale);
+
+/// The language of a start.
+struct StartLanguage {
+  // Implicit: most starts just have one.
+  StartLanguage(Language of, bool by_player = false) : language(of), asked(by_player) {}  // NOLINT
+
+  Language language;
+  bool asked;  ///< by the player, at this start; otherwise it is the system's
+};
 
 enum class Text : std::uint8_t {
   product,
@@ -100,6 +112,7 @@ enum class Text : std::uint8_t {
   level_state,
   menu_state,
   continue_billiards,
+  continue_table,
   continue_level,
   continue_named_level,
   practice,
@@ -180,13 +193,83 @@ enum class Text : std::uint8_t {
   hint_turn,
   hint_keys,
   hint_entry,
+  points_made,
+  balls,
+  best_turn,
+  shots,
+  fouls,
+  settings,
+  settings_state,
+  settings_broken,
+  settings_unreadable,
+  settings_set_aside,
+  settings_blocked,
+  settings_not_kept,
+  hint_settings,
+  tab_general,
+  tab_picture,
+  tab_aiming,
+  tab_players,
+  set_language,
+  set_volume,
+  set_mute,
+  set_hints,
+  set_colours,
+  set_motion,
+  set_shake,
+  set_way,
+  set_preview,
+  set_name,
+  set_breaks,
+  set_keep_turn,
+  about_language,
+  about_volume,
+  about_mute,
+  about_hints,
+  about_colours,
+  about_motion,
+  about_shake,
+  about_way,
+  about_preview,
+  about_name,
+  about_breaks,
+  about_keep_turn,
+  as_system,
+  english,
+  french,
+  per_cent,
+  yes,
+  no,
+  colours_standard,
+  colours_red_green,
+  colours_blue_yellow,
+  colours_high_contrast,
+  way_clicks,
+  way_pull,
+  way_turn,
+  preview_off,
+  preview_contact,
+  preview_short,
+  preview_full,
+  breaks_alternate,
+  breaks_loser,
   count,
 };
 
-/// The texts of one language.
+/// The texts of one language. Copies speak alike: what is changed in one holds in all of them, so
+/// screens keep theirs, and a change of language needs no new screen.
 class Words {
  public:
-  explicit Words(Language language) : language_(language) {}
+  explicit Words(Language language) : voice_(std::make_shared<Voice>(Voice{language, {}})) {}
+  // No moving: there are always words.
+  Words(const Words&) = default;
+  Words& operator=(const Words&) = default;
+  ~Words() = default;
+
+  void speak(Language language) { voice_->language = language; }
+  Language language() const { return voice_->language; }
+  /// What player() gives; an empty name means "Player 1", "Player 2".
+  void name_players(std::array<std::string, 2> names) { voice_->names = std::move(names); }
 
   /// The text, with {0}, {1}, … replaced by the values given.
   std::string operator()(Text text, std::initializer_list<std::string_view> values = {}) const;
@@ -196,11 +279,15 @@ class Words {
   std::string tenths(double value) const;
   /// A shipped level's name in the language; others are left as they are.
   std::string level_name(std::string_view name) const;
-  /// "Player 1" for 0.
+  /// The name of player 0 or 1: "Player 1" for a player without one.
   std::string player(int player) const;
 
  private:
-  Language language_;
+  struct Voice {
+    Language language;
+    std::array<std::string, 2> names;
+  };
+  std::shared_ptr<Voice> voice_;
 };
 
 }  // namespace app

@@ -22,20 +22,35 @@ constexpr float row_distance = 1.7320508f;
 
 TitleScreen::TitleScreen(const Words& words, Session& session)
     : words_(words), session_(session), buttons_({}) {
-  std::vector<std::string> labels;
-  const auto add = [&](Choice choice, std::string label) {
+  if (session.kept.of(Kind::billiards)) choices_.push_back(Choice::continue_billiards);
+  if (session.kept.of(Kind::angry_balls)) choices_.push_back(Choice::continue_level);
+  for (const Choice choice : {Choice::billiards, Choice::practice_table, Choice::angry_balls,
+                              Choice::replays, Choice::settings, Choice::quit})
     choices_.push_back(choice);
-    labels.push_back(std::move(label));
-  };
-  if (session.kept.of(Kind::billiards)) add(Choice::continue_billiards, offer(Kind::billiards));
-  if (session.kept.of(Kind::angry_balls)) add(Choice::continue_level, offer(Kind::angry_balls));
-  add(Choice::billiards, words(Text::billiards));
-  add(Choice::practice_table, words(Text::practice));
-  add(Choice::angry_balls, words(Text::angry_balls));
-  add(Choice::replays, words(Text::replays));
-  add(Choice::quit, words(Text::quit));
-  buttons_ = Buttons(std::move(labels), 0);
+  buttons_ = Buttons(std::vector<std::string>(choices_.size()), 0);
   tell_refused();
+}
+
+std::string TitleScreen::label_of(Choice choice) const {
+  switch (choice) {
+    case Choice::continue_billiards:
+      return offer(Kind::billiards);
+    case Choice::continue_level:
+      return offer(Kind::angry_balls);
+    case Choice::billiards:
+      return words_(Text::billiards);
+    case Choice::practice_table:
+      return words_(Text::practice);
+    case Choice::angry_balls:
+      return words_(Text::angry_balls);
+    case Choice::replays:
+      return words_(Text::replays);
+    case Choice::settings:
+      return words_(Text::settings);
+    case Choice::quit:
+      break;
+  }
+  return words_(Text::quit);
 }
 
 /// What a game kept is called on its button.
@@ -46,7 +61,10 @@ std::string TitleScreen::offer(Kind kind) const {
     const auto shots = std::ranges::count_if(game.moves, [](const replay::Move& move) {
       return std::holds_alternative<games::billiards::Shoot>(move.command);
     });
-    return words_(Text::continue_billiards, {words_.number(static_cast<int>(shots % 2) + 1)});
+    // Who plays on after scoring only playing it would tell.
+    if (game.options.keep_turn) return words_(Text::continue_table);
+    const auto player = (game.options.first_player + shots) % 2;
+    return words_(Text::continue_billiards, {words_.number(static_cast<int>(player) + 1)});
   }
   const Level level = level_of(*game.level);
   if (const auto index = session_.campaign.find(level.identity))
@@ -77,7 +95,7 @@ void TitleScreen::resize(const View& view) {
   if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(456)));
 
   // Heights give way together in a very low window, and to games that are offered again.
-  const std::size_t offered = choices_.size() - 5;
+  const std::size_t offered = choices_.size() - 6;
   const float pitch = offered == 0 ? 66.0f : offered == 1 ? 57.0f : 50.0f;
   const float height = pitch - (offered == 0 ? 12.0f : 9.0f);
   const float unit = std::min(view.scale, words.h / 448);
@@ -94,16 +112,18 @@ void TitleScreen::resize(const View& view) {
   };
   const float gap = view.px(8);
   for (std::size_t i = 0; i < choices_.size(); ++i) {
-    const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::quit;
-    if (!second) next_row();
-    Rect box = row;
-    if (choices_[i] == Choice::billiards || choices_[i] == Choice::replays)
-      box = row.cut_left(row.w * 0.58f);
+    buttons_.relabel(i, label_of(choices_[i]));
+    const bool alone =
+        choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
+    const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
+                        choices_[i] == Choice::quit;
     if (second) {
       row.cut_left(gap);
-      box = row;
+      buttons_.place(i, row);
+    } else {
+      next_row();
+      buttons_.place(i, alone ? row : row.cut_left(row.w * 0.58f));
     }
-    buttons_.place(i, box);
   }
 }
 
@@ -113,6 +133,7 @@ Transition TitleScreen::event(const Input& input) {
     return chosen ? answer(*chosen) : Transition::stay;
   }
   if (is_key(input, Key::escape)) return Transition::quit;
+  if (is_key(input, Key::settings)) return Transition::settings;
   if (is_key(input, Key::paste)) {
     const auto fault = take_pasted(session_);
     if (!fault) return Transition::replay;
@@ -170,14 +191,31 @@ Transition TitleScreen::proceed(Choice choice) {
       return Transition::levels;
     case Choice::replays:
       return Transition::replays;
+    case Choice::settings:
+      return Transition::settings;
     case Choice::quit:
       break;
   }
   return Transition::quit;
 }
 
-/// A game kept that cannot be continued, and what became of its file.
+/// Settings that could not be read, or a game kept that cannot be continued, and what became of the
+/// file.
 void TitleScreen::tell_refused() {
+  if (const auto trouble = session_.settings.take_trouble();
+      trouble != KeptSettings::Trouble::none) {
+    std::vector<Dialog::Line> lines{{words_(Text::settings_unreadable), {}, {}}};
+    if (trouble == KeptSettings::Trouble::set_aside) {
+      lines.push_back({words_(Text::settings_set_aside), {}, {}});
+      lines.push_back({words_(Text::kept_file, {settings_file}), {}, {}});
+    } else {
+      lines.push_back({words_(Text::settings_blocked), {}, {}});
+    }
+    question_ =
+        Question{Dialog(words_(Text::settings_broken), std::move(lines), {words_(Text::ok)}), {}};
+    question_->dialog.resize(view_);
+    return;
+  }
   const auto refused = session_.kept.take_refused();
   if (!refused) return;
   std::vector<Dialog::Line> lines{{words_(text_of(refused->fault)), {}, {}}};
@@ -236,7 +274,7 @@ void TitleScreen::draw(Canvas& canvas) const {
   label(canvas, tagline_, {Face::regular, 20, palette::brass_lit, align}, words_(Text::tagline));
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
-                      choices_[i] == Choice::quit;
+                      choices_[i] == Choice::settings || choices_[i] == Choice::quit;
     const bool offers =
         choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
     buttons_.draw_one(canvas, i, half || offers ? 18 : 22);

@@ -34,6 +34,7 @@ class TitleScreen final : public Screen {
     practice_table,
     angry_balls,
     replays,
+    settings,
     quit,
   };
   /// About what the dialog is: a kept game, by a new one of its kind; or nothing but OK.
@@ -49,6 +50,7 @@ class TitleScreen final : public Screen {
   void paste_failed(ReplayFault fault);
   std::string offer(replay::Kind kind) const;
   std::string kept_level() const;
+  std::string label_of(Choice choice) const;
 
   Words words_;
   Session& session_;

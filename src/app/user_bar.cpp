@@ -1,13 +1,43 @@
 #include "app/user_bar.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include "app/label.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 
 namespace app {
 
-UserBar::UserBar(std::string restart, std::string close)
-    : buttons_({std::move(restart), std::move(close)}) {}
+namespace {
+
+// In the order of UserBar::Command.
+enum Button : std::size_t { restart, close, settings };
+
+constexpr float gear_width = 44;  ///< units
+
+void draw_gear(DrawList& list, Point center, float radius, Color color, Color ground) {
+  constexpr int teeth = 8;
+  for (int i = 0; i < teeth; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / teeth;
+    const Point way{std::cos(angle), std::sin(angle)};
+    line(list, center + way * (radius * 0.6f), center + way * radius, radius * 0.36f, color);
+  }
+  fill_disc(list, center, radius * 0.74f, color);
+  fill_disc(list, center, radius * 0.34f, ground);
+}
+
+}  // namespace
+
+UserBar::UserBar() : buttons_({"", "", ""}) {}
+
+void UserBar::relabel(std::string restart_label, std::string close_label,
+                      std::string settings_label) {
+  buttons_.relabel(restart, std::move(restart_label));
+  buttons_.relabel(close, std::move(close_label));
+  buttons_.relabel(settings, std::move(settings_label));
+}
 
 UserBar::Room UserBar::place(const View& view, const Rect& area) {
   area_ = area;
@@ -16,20 +46,23 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   Rect rest = centered(area.center(), std::min(area.w, view.px(1120)), area.h).inset(gap);
   if (!view.narrow()) {
     Rect column = rest.cut_right(view.px(128));
-    buttons_.place(0, column.cut_top((column.h - gap / 2) / 2));
+    buttons_.place(restart, column.cut_top((column.h - gap / 2) / 2));
     column.cut_top(gap / 2);
-    buttons_.place(1, column);
+    buttons_.place(settings, column.cut_right(view.px(gear_width)));
+    column.cut_right(gap / 2);
+    buttons_.place(close, column);
     rest.cut_right(gap);
     return {rest, {}};
   }
   const Rect row = rest.cut_top(view.px(64));
   rest.cut_top(gap);
-  const float button = view.px(136);
-  const float trim = view.px(6);
-  buttons_.place(1, rest.cut_right(button).inset(0, trim));
-  rest.cut_right(gap);
-  buttons_.place(0, rest.cut_right(button).inset(0, trim));
-  rest.cut_right(gap);
+  const float button = std::min(view.px(136), rest.w * 0.235f);
+  const float trim = view.px(5);
+  for (const auto& [index, width] :
+       {std::pair{close, button}, {restart, button}, {settings, view.px(gear_width)}}) {
+    buttons_.place(index, rest.cut_right(width).inset(0, trim));
+    rest.cut_right(gap);
+  }
   return {row, rest};
 }
 
@@ -44,7 +77,12 @@ void UserBar::draw_strip(Canvas& canvas) const {
                Paint::vertical(area_, palette::slate_top, palette::slate_bottom));
   line(canvas.list, {area_.x, area_.bottom()}, {area_.right(), area_.bottom()}, canvas.px(1),
        palette::brass_dark);
-  buttons_.draw(canvas);
+  buttons_.draw_one(canvas, restart, 16);
+  buttons_.draw_one(canvas, close, 16);
+  const Buttons::Look look = buttons_.draw_face(canvas, settings);
+  draw_gear(canvas.list, look.box.center(), canvas.px(11), look.ink, palette::panel_lit);
+  canvas.list.boxes.push_back(
+      {Box::Kind::button, buttons_.box(settings), buttons_.label_of(settings), 0});
 }
 
 void UserBar::draw_count(Canvas& canvas, const Rect& box, std::string_view value,

@@ -7,11 +7,11 @@
 
 namespace app {
 
-/// The strip above the world (§1.1.4) with the buttons that restart and close the game. What else
-/// stands in it is each game's own.
+/// The strip above the world (§1.1.4) with the buttons that restart and close the game and open
+/// the settings. What else stands in it is each game's own.
 class UserBar {
  public:
-  enum class Command : std::uint8_t { restart, close };
+  enum class Command : std::uint8_t { restart, close, settings };
 
   std::optional<Command> event(const Input& input);
   /// A click here is a button's business; elsewhere in the bar it may end a drag.
@@ -26,7 +26,8 @@ class UserBar {
     Rect second;  ///< narrow: beside the buttons; otherwise empty
   };
 
-  UserBar(std::string restart, std::string close);
+  UserBar();
+  void relabel(std::string restart, std::string close, std::string settings);
   Room place(const View& view, const Rect& area);
   void draw_strip(Canvas& canvas) const;
   /// A number over what it counts.

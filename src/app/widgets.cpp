@@ -93,7 +93,7 @@ void Buttons::draw(Canvas& canvas, float text_size) const {
   for (std::size_t i = 0; i < buttons_.size(); ++i) draw_one(canvas, i, text_size);
 }
 
-void Buttons::draw_one(Canvas& canvas, std::size_t index, float text_size) const {
+Buttons::Look Buttons::draw_face(Canvas& canvas, std::size_t index) const {
   const bool primary = primary_ == index;
   Color face = primary ? palette::brass : palette::panel_lit;
   if (hovered(index)) face = mix(face, palette::cream, 0.18f);
@@ -111,8 +111,13 @@ void Buttons::draw_one(Canvas& canvas, std::size_t index, float text_size) const
   fill_rounded(canvas.list, box, radius,
                Paint::vertical(box, mix(face, palette::cream, 0.10f), face));
   stroke_rounded(canvas.list, box.inset(0.5f), radius, 1, faded(palette::cream, 0.22f));
-  label(canvas, box.inset(canvas.px(10), 0),
-        {Face::bold, text_size, primary ? palette::ink : palette::cream, Align::center},
+  return {box, primary ? palette::ink : palette::cream};
+}
+
+void Buttons::draw_one(Canvas& canvas, std::size_t index, float text_size) const {
+  const Look look = draw_face(canvas, index);
+  const Button& button = buttons_[index];
+  label(canvas, look.box.inset(canvas.px(10), 0), {Face::bold, text_size, look.ink, Align::center},
         button.label);
   canvas.list.boxes.push_back({Box::Kind::button, button.box, button.label, 0});
 }

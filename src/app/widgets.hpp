@@ -38,10 +38,17 @@ class Buttons {
 
   // For those who draw a button themselves, and for draw().
   const Rect& box(std::size_t index) const { return buttons_[index].box; }
+  const std::string& label_of(std::size_t index) const { return buttons_[index].label; }
   bool hovered(std::size_t index) const { return hovered_ == index; }
   bool pressed(std::size_t index) const { return pressed_ == index && hovered_ == index; }
   bool focused(std::size_t index) const { return focused_ == index; }
   void draw_one(Canvas& canvas, std::size_t index, float text_size) const;
+  /// A button without its label; gives where that goes, its colour too.
+  struct Look {
+    Rect box;
+    Color ink;
+  };
+  Look draw_face(Canvas& canvas, std::size_t index) const;
   /// Up and down move the focus by so many.
   void set_columns(std::size_t columns) { columns_ = columns; }
 

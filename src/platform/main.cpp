@@ -52,6 +52,7 @@ of yours but those named; then one line tells what is on screen.
 
 Best scores, the game in progress and replays are kept in $XDG_DATA_HOME/angry-balls, levels of your
 own are found in $XDG_DATA_HOME/angry-balls/levels (XDG_DATA_HOME is ~/.local/share unless set).
+Settings are kept in $XDG_CONFIG_HOME/angry-balls (XDG_CONFIG_HOME is ~/.config unless set).
 
 Exit status: 0 done, 2 bad command line, script or replay, 3 a file cannot be written, 4 no display.)";
 
@@ -90,7 +91,7 @@ int report(const carom::Errors& errors, std::string_view file, int status) {
   return status;
 }
 
-int play_script(const Options& options, app::Language language,
+int play_script(const Options& options, app::StartLanguage language,
                 std::optional<replay::Replay> replay) {
   const std::string name = options.script == "-" ? "<stdin>" : options.script;
   const auto text = files::read(options.script);
@@ -116,7 +117,7 @@ int play_script(const Options& options, app::Language language,
   return done;
 }
 
-int play_in_window(const Options& options, app::Language language,
+int play_in_window(const Options& options, app::StartLanguage language,
                    std::optional<replay::Replay> replay) {
   app::MemoryStore forgetful;
   std::optional<platform::FolderStore> folder_store;
@@ -124,7 +125,9 @@ int play_in_window(const Options& options, app::Language language,
   const auto folder = options.data.empty() ? platform::data_folder()
                                            : std::optional(std::filesystem::path(options.data));
   if (folder) {
-    folder_store.emplace(*folder);
+    // Whoever names a folder wants everything there.
+    const auto config = options.data.empty() ? platform::config_folder() : std::nullopt;
+    folder_store.emplace(*folder, config.value_or(*folder));
     std::error_code ignored;
     if (std::filesystem::exists(*folder / "levels", ignored))
       levels.insert(levels.begin(), *folder / "levels");
@@ -158,14 +161,16 @@ int main(int argc, char** argv) {
       ->needs(script);
   cli.add_option("--replay", options.replay, "Show the replay in FILE (\"-\": standard input)")
       ->type_name("FILE");
-  cli.add_option("--data", options.data,
-                 "Keep scores, games and replays in FOLDER (a script: nowhere unless given)")
+  cli.add_option(
+         "--data", options.data,
+         "Keep settings, scores, games and replays in FOLDER (a script: nowhere unless given)")
       ->type_name("FOLDER");
   cli.add_option_function<std::string>(
          "--size", [&](const std::string& text) { options.size = parse_size(text); },
          "Size of the window, px (default 1280x720)")
       ->type_name("WxH");
-  cli.add_option("--lang", options.language, "Language: en or fr (default: the environment's)")
+  cli.add_option("--lang", options.language,
+                 "Language: en or fr (default: the settings', the environment's)")
       ->check(CLI::IsMember({"en", "fr"}))
       ->type_name("en|fr");
   try {
@@ -174,8 +179,9 @@ int main(int argc, char** argv) {
     return cli.exit(error) == 0 ? done : bad_input;
   }
 
-  const app::Language language =
-      app::language_of_locale(options.language.empty() ? environment_locale() : options.language);
+  const bool asked = !options.language.empty();
+  const app::StartLanguage language(
+      app::language_of_locale(asked ? options.language : environment_locale()), asked);
   std::optional<replay::Replay> replay;
   if (!options.replay.empty()) {
     const auto bytes = files::read(options.replay);

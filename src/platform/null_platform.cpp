@@ -13,11 +13,11 @@ constexpr nanoseconds frame{16'666'667};
 
 }  // namespace
 
-NullPlatform::NullPlatform(app::Language language, int width, int height,
+NullPlatform::NullPlatform(app::StartLanguage language, int width, int height,
                            std::vector<app::Level> levels)
     : NullPlatform(language, width, height, std::move(levels), memory_) {}
 
-NullPlatform::NullPlatform(app::Language language, int width, int height,
+NullPlatform::NullPlatform(app::StartLanguage language, int width, int height,
                            std::vector<app::Level> levels, app::Store& store)
     : store_(store),
       app_(language, width, height, store_, clipboard_, std::move(levels)),
@@ -49,7 +49,7 @@ carom::Status NullPlatform::run(const Script& script, const Print& print) {
     } else if (const auto* let_go = std::get_if<LetGo>(&line.action)) {
       app_.event(app::KeyReleased{let_go->key});
     } else if (const auto* type = std::get_if<Type>(&line.action)) {
-      for (const char sign : type->text) app_.event(app::Typed{sign});
+      app_.event(app::TextTyped{type->text});
     } else if (const auto* shot = std::get_if<Screenshot>(&line.action)) {
       if (carom::Status written = screenshot(shot->file); !written) return written;
     } else if (print) {

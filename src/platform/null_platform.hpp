@@ -15,9 +15,10 @@ namespace platform {
 class NullPlatform {
  public:
   /// `levels`: beside the shipped ones. Scores, games and what is copied stay in memory.
-  NullPlatform(app::Language language, int width, int height, std::vector<app::Level> levels = {});
+  NullPlatform(app::StartLanguage language, int width, int height,
+               std::vector<app::Level> levels = {});
   /// Keeps scores and games in `store`, which must outlive this.
-  NullPlatform(app::Language language, int width, int height, std::vector<app::Level> levels,
+  NullPlatform(app::StartLanguage language, int width, int height, std::vector<app::Level> levels,
                app::Store& store);
 
   using Print = std::function<void(const std::string&)>;

@@ -1,6 +1,5 @@
 #include "platform/script.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,7 @@ using nlohmann::json;
 constexpr double longest = 86'400;  ///< s
 constexpr double widest = 100'000;  ///< px
 
-constexpr std::array<std::pair<std::string_view, app::Key>, 17> keys{{
+constexpr std::array<std::pair<std::string_view, app::Key>, 18> keys{{
     {"Return", app::Key::enter},
     {"Space", app::Key::space},
     {"Tab", app::Key::tab},
@@ -35,11 +34,12 @@ constexpr std::array<std::pair<std::string_view, app::Key>, 17> keys{{
     {".", app::Key::period},
     {"Ctrl+C", app::Key::copy},
     {"Ctrl+V", app::Key::paste},
+    {"F10", app::Key::settings},
 }};
 
 constexpr std::string_view key_names =
     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down (these four also with Shift+ or "
-    "Ctrl+), R, N, Backspace, +, -, ., Ctrl+C or Ctrl+V";
+    "Ctrl+), R, N, Backspace, +, -, ., Ctrl+C, Ctrl+V or F10";
 
 constexpr std::string_view line_form =
     "an object with \"at\" and one of \"click\", \"move\", \"press\", \"release\", \"wheel\", "
@@ -74,10 +74,6 @@ std::optional<app::KeyPressed> key(const json& value) {
     return pressed;
   }
   return std::nullopt;
-}
-
-bool is_ascii(const std::string& text) {
-  return std::ranges::all_of(text, [](char sign) { return sign >= ' ' && sign <= '~'; });
 }
 
 carom::Error wrong(std::string pointer, const json& value, std::string expected) {
@@ -126,8 +122,7 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
       else
         result.action = LetGo{pressed->key};
     } else if (name == "type") {
-      if (!value.is_string() || !is_ascii(value.get_ref<const std::string&>()))
-        return wrong("/type", value, "a text of printable ASCII signs");
+      if (!value.is_string()) return wrong("/type", value, "a text");
       ++actions;
       result.action = Type{value.get<std::string>()};
     } else if (name == "screenshot") {

@@ -38,7 +38,7 @@ struct LetGo {
   app::Key key;
 };
 struct Type {
-  std::string text;  ///< ASCII
+  std::string text;  ///< UTF-8
 };
 struct Screenshot {
   std::string file;
@@ -61,7 +61,7 @@ using Script = std::vector<ScriptLine>;
 ///   {"at": 1, "wheel": -2}
 ///   {"at": 1.5, "key": "Escape"}            also "Shift+Left", "Ctrl+Up", …
 ///   {"at": 1.5, "hold": "Space"}            and "let_go"
-///   {"at": 1.5, "type": "47.3"}
+///   {"at": 1.5, "type": "Zoé"}
 ///   {"at": 2, "screenshot": "shot.png"}
 ///   {"at": 3, "print": true}
 /// Gives all errors, each with its line.

@@ -105,6 +105,8 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
       return app::Key::r;
     case SDLK_n:
       return app::Key::n;
+    case SDLK_F10:
+      return app::Key::settings;
     case SDLK_BACKSPACE:
       return app::Key::backspace;
     default:
@@ -114,7 +116,7 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
 
 class Player {
  public:
-  Player(app::Language language, int width, int height, app::Store& store,
+  Player(app::StartLanguage language, int width, int height, app::Store& store,
          std::vector<app::Level> levels, std::optional<replay::Replay> replay)
       : window_(owned(SDL_CreateWindow("Angry Balls", SDL_WINDOWPOS_CENTERED,
                                        SDL_WINDOWPOS_CENTERED, width, height,
@@ -201,12 +203,10 @@ class Player {
       case SDL_KEYUP:
         if (const auto key = key_of(event.key.keysym)) app_.event(app::KeyReleased{*key});
         return true;
-      case SDL_TEXTINPUT: {
-        const std::string_view text = event.text.text;
-        if (text.size() == 1) app_.event(app::Typed{text.front()});
-        press(key_of(text));
+      case SDL_TEXTINPUT:
+        app_.event(app::TextTyped{event.text.text});
+        press(key_of(std::string_view(event.text.text)));
         return true;
-      }
       default:
         return false;
     }
@@ -233,8 +233,9 @@ class Player {
     }
     const auto key = key_of(press.keysym);
     // A key held down moves the focus on and changes a throw, and does nothing else again.
-    constexpr std::array repeating{app::Key::tab,   app::Key::back_tab, app::Key::left,
-                                   app::Key::right, app::Key::up,       app::Key::down};
+    constexpr std::array repeating{app::Key::tab,      app::Key::back_tab, app::Key::left,
+                                   app::Key::right,    app::Key::up,       app::Key::down,
+                                   app::Key::backspace};
     if (press.repeat != 0 && key && std::ranges::find(repeating, *key) == repeating.end())
       return false;
     return this->press(key, press.keysym.mod);
@@ -298,7 +299,7 @@ class Player {
 
 }  // namespace
 
-std::string play_in_window(app::Language language, int width, int height, app::Store& store,
+std::string play_in_window(app::StartLanguage language, int width, int height, app::Store& store,
                            std::vector<app::Level> levels, std::optional<replay::Replay> replay) {
   try {
     const Library sdl;

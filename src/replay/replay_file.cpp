@@ -431,8 +431,9 @@ class Reader {
       return checksum_ || wrong_value(value);
     }
     if (key_ == "first-player") {
-      if (value.whole != 1U && value.whole != 2U) return wrong_value(value);
-      replay_.options.first_player = static_cast<int>(*value.whole) - 1;
+      const std::uint64_t player = value.whole.value_or(0);
+      if (player < 1 || player > 2) return wrong_value(value);
+      replay_.options.first_player = static_cast<int>(player) - 1;
       return true;
     }
     if (key_ == "keep-turn") {

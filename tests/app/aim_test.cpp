@@ -97,7 +97,7 @@ TEST(Aim, ANewDirectionKeepsTheStrength) {
 TEST(AimEntry, TakesAnAngleAndASpeed) {
   app::AimEntry entry;
   const auto type = [&](std::string_view text) {
-    for (const char sign : text) entry.event(app::Typed{sign});
+    for (const char sign : text) entry.event(app::TextTyped{{sign}});
   };
   app::Aim aim = aim_at({100, 0});
   EXPECT_TRUE(entry.empty());
@@ -119,7 +119,7 @@ TEST(AimEntry, TakesAnAngleAndASpeed) {
 TEST(AimEntry, WhatIsNoNumberChangesNothing) {
   for (const char* text : {"", "-", ".", "-.", "400", "-361"}) {
     app::AimEntry entry;
-    for (const char* sign = text; *sign != 0; ++sign) entry.event(app::Typed{*sign});
+    for (const char* sign = text; *sign != 0; ++sign) entry.event(app::TextTyped{{*sign}});
     app::Aim aim = aim_at({64, 32});
     entry.apply(aim);
     EXPECT_EQ(aim.drag(), (carom::Vec2{64, 32})) << text;

@@ -195,9 +195,20 @@ TEST_F(BilliardsScreenTest, AWholeGameToTheEndAndAgain) {
   const auto winner = screen.game().winner();
   EXPECT_TRUE(shows(!winner ? "draw" : *winner == 0 ? "Player 1 wins" : "Player 2 wins"));
   while (screen.animating()) screen.iterate(16'666'667ns);
+  // What the end tells is what the rules counted.
+  const auto& [first, second] = std::pair{screen.game().tally(0), screen.game().tally(1)};
+  EXPECT_EQ(first.balls + second.balls, games::billiards::reds);
+  EXPECT_EQ(first.shots + second.shots, turns);
+  for (const auto& tally : {first, second})
+    for (const int count : {tally.balls, tally.best_turn, tally.shots, tally.fouls})
+      EXPECT_TRUE(shows(app::Words(app::Language::english).number(count)));
 
+  app::Settings settings;
+  settings.breaks = app::Breaks::alternate;
+  session.settings.set(settings);
   click(button("Play again"));
   EXPECT_EQ(screen.game().phase(), Phase::aim);
+  EXPECT_EQ(screen.game().player(), 1) << "who did not break in the last game";
   EXPECT_EQ(screen.game().reds_left(), games::billiards::reds);
   EXPECT_EQ(screen.game().score(0), 0);
 }

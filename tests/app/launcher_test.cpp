@@ -38,7 +38,7 @@ class LauncherTest : public testing::Test {
   Point window(double x, double y) const { return stage.viewport.to_window({x, y}); }
   void put_lead(double x, double y) { stage.lead.position = {x, y}; }
   void type(std::string_view text) {
-    for (const char sign : text) give(app::Typed{sign});
+    for (const char sign : text) give(app::TextTyped{{sign}});
   }
 
   Launcher launcher{{100, 0}};
@@ -267,7 +267,7 @@ TYPED_TEST_SUITE(KeyboardOnly, Screens, ScreenName);
 TYPED_TEST(KeyboardOnly, AimsAndShoots) {
   EXPECT_TRUE(this->shows("Keys: arrows, Enter"));
   for (int i = 0; i < 3; ++i) this->key(Key::up);
-  for (const char sign : std::string("12.5")) this->screen.event(app::Typed{sign});
+  for (const char sign : std::string("12.5")) this->screen.event(app::TextTyped{{sign}});
   EXPECT_TRUE(this->shows("12.5")) << "in the field";
   this->key(Key::enter);
   EXPECT_TRUE(this->shows("12.5° · 530 px/s"));
@@ -307,7 +307,9 @@ TYPED_TEST(KeyboardOnly, APullThrowsWhatWasShown) {
 }
 
 TYPED_TEST(KeyboardOnly, TheStrengthRunsOnlyWhileSpaceIsHeld) {
-  this->session.aiming.way = AimWay::turn;
+  app::Settings turn_then_power;
+  turn_then_power.aiming.way = AimWay::turn;
+  this->session.settings.set(turn_then_power);
   this->key(Key::up);
   for (int i = 0; i < 500; ++i) this->screen.iterate(10ms);
   EXPECT_FALSE(this->screen.animating());

@@ -9,6 +9,8 @@
 #include "app/player.hpp"
 #include "app/practice_strip.hpp"
 #include "app/table_view.hpp"
+#include "replay/player.hpp"
+#include "replay/replay_file.hpp"
 
 namespace {
 
@@ -21,6 +23,9 @@ struct Size {
 constexpr Size sizes[] = {{800, 600},  {1280, 720}, {1920, 1080}, {500, 900},
                           {1600, 500}, {480, 360},  {700, 1300},  {3840, 2160},
                           {1024, 768}, {760, 601},  {667, 480},   {2560, 1080}};
+
+const std::array<std::string, 2> long_names{"Maximilienne-Wilhelmine W",
+                                            "WWWWWWWWWWWWWWWWWWWWWWWW"};
 
 const std::string easy = R"({"carom": 1, "name": "A very long name, as players give them, )" +
                          std::string(150, '!') + R"(", "width": 1000, "height": 500,
@@ -52,6 +57,12 @@ std::vector<Box> visible(const std::vector<Box>& boxes, const std::string& modal
   return boxes;
 }
 
+/// What is left of a text that was too long.
+std::string without_ellipsis(const std::string& text) {
+  const std::string sign = "…";
+  return text.ends_with(sign) ? text.substr(0, text.size() - sign.size()) : text;
+}
+
 void expect_sound(const std::vector<Box>& boxes, Size size) {
   const app::Rect window{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -63,7 +74,7 @@ void expect_sound(const std::vector<Box>& boxes, Size size) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       const Box& b = boxes[j];
       if (a.kind == Box::Kind::text && b.kind == Box::Kind::button &&
-          b.text.find(a.text) != std::string::npos && a.area.overlaps(b.area))
+          b.text.find(without_ellipsis(a.text)) != std::string::npos && a.area.overlaps(b.area))
         EXPECT_TRUE(within(a.area, b.area)) << describe(a) << " leaves its button";
       else
         EXPECT_FALSE(a.area.overlaps(b.area)) << describe(a) << " overlaps " << describe(b);
@@ -156,10 +167,10 @@ TEST_P(Layout, AimByPullKeysAndNumbers) {
     game.app().event(app::PointerReleased{from});
     key(app::Key::up);
     check();
-    for (const char sign : std::string("-123.456")) game.app().event(app::Typed{sign});
+    for (const char sign : std::string("-123.456")) game.app().event(app::TextTyped{{sign}});
     check();
     key(app::Key::tab);
-    for (const char sign : std::string("1234.567")) game.app().event(app::Typed{sign});
+    for (const char sign : std::string("1234.567")) game.app().event(app::TextTyped{{sign}});
     check();
     key(app::Key::enter);
     check();
@@ -171,7 +182,9 @@ TEST_P(Layout, AimByPullKeysAndNumbers) {
 /// The way of aiming that only a setting brings.
 TEST_P(Layout, TurnThenPower) {
   app::Session session{game.store(), game.clipboard(), app::shipped_levels()};
-  session.aiming.way = app::AimWay::turn;
+  app::Settings turn_then_power;
+  turn_then_power.aiming.way = app::AimWay::turn;
+  session.settings.set(turn_then_power);
   app::BilliardsScreen screen{app::Words(std::get<1>(GetParam())), session};
   const app::View view = app::View::of(size.width, size.height);
   screen.resize(view);
@@ -195,6 +208,100 @@ TEST_P(Layout, WatchAndQuestion) {
   check();
   key(app::Key::escape);
   check(french ? "Quitter la table ?" : "Leave the table?");
+}
+
+TEST_P(Layout, Settings) {
+  game.press(french ? "Réglages" : "Settings");
+  check();
+  for (int page = 0; page < 4; ++page) {
+    key(app::Key::tab);
+    for (int i = 0; i < page; ++i) key(app::Key::right);
+    check();
+    for (int i = page; i < 4; ++i) key(app::Key::tab);
+    while (game.title().find(french ? " : " : ": ") != std::string::npos) {
+      for (int value = 0; value < 4; ++value) {
+        // The language goes round and is as it was.
+        key(french == game.says("Réglages") ? app::Key::right : app::Key::left);
+        check();
+      }
+      if (french != game.says("Réglages")) key(app::Key::left);
+      game.app().event(app::TextTyped{long_names[1]});
+      check();
+      for (const Box& box : game.boxes())
+        EXPECT_TRUE(box.text.find("…") == std::string::npos || box.text.starts_with("WWW"))
+            << describe(box) << " is cut short";
+      key(app::Key::down);
+    }
+  }
+  key(app::Key::escape);
+  key(app::Key::enter);
+  game.pass(500ms);
+  check();
+  game.pass(3s);
+  game.click(cue());
+  game.click({cue().x + 100, cue().y});
+  game.pass(50ms);
+  check();
+}
+
+TEST_P(Layout, SettingsThatCannotBeReadOrSaved) {
+  struct Fixed : app::MemoryStore {
+    carom::Status set_aside(const std::string&) override {
+      return carom::Error{.problem = "cannot be moved"};
+    }
+  } fixed;
+  app::MemoryStore store;
+  const std::string title = french ? "Réglages : valeurs" : "Settings: starting";
+  for (app::Store* const any :
+       {static_cast<app::Store*>(&store), static_cast<app::Store*>(&fixed)}) {
+    ASSERT_TRUE(any->save("settings.json", "{"));
+    Player broken(std::get<1>(GetParam()), size.width, size.height, {}, *any);
+    ASSERT_TRUE(broken.says(title));
+    expect_sound(visible(broken.boxes(),
+                         french ? "Réglages : valeurs de départ" : "Settings: starting afresh"),
+                 size);
+    broken.key(app::Key::enter);
+    broken.key(app::Key::settings);
+    expect_sound(broken.boxes(), size);
+  }
+}
+
+/// The last step of a whole game, and the statistics.
+TEST_P(Layout, EndOfBilliards) {
+  const replay::Replay whole = replay::read_replay(replay_file("billiards-whole.json")).value();
+  auto player = replay::Player::create(whole).value();
+  std::uint64_t steps = 0;
+  for (const replay::Move& move : whole.moves) steps += move.steps;
+  while (player.steps() + 1 < steps) ASSERT_TRUE(player.step());
+  app::MemoryStore store;
+  app::Session session(store, game.clipboard(), {});
+  const app::Words words(std::get<1>(GetParam()));
+  const app::View view = app::View::of(size.width, size.height);
+  for (const bool named : {false, true}) {
+    app::BilliardsScreen screen(
+        words, session,
+        app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
+    if (named) app::Words(words).name_players(long_names);
+    screen.resize(view);
+    for (int i = 0; i < 500; ++i) screen.iterate(20ms);
+    ASSERT_EQ(screen.game().phase(), games::billiards::Phase::over);
+    app::Font font;
+    app::DrawList list;
+    app::Canvas canvas{list, font, view};
+    screen.draw(canvas);
+    std::size_t modal = list.boxes.size();
+    for (std::size_t i = 0; i < list.boxes.size(); ++i)
+      if (list.boxes[i].text.find(french ? " gagne" : " wins") != std::string::npos) modal = i;
+    ASSERT_LT(modal, list.boxes.size());
+    const std::vector<Box> boxes(list.boxes.begin() + static_cast<std::ptrdiff_t>(modal),
+                                 list.boxes.end());
+    expect_sound(boxes, size);
+    for (const char* row : french
+                               ? std::array{"Points", "Boules", "Meilleur tour", "Tirs", "Fautes"}
+                               : std::array{"Points", "Balls", "Best turn", "Shots", "Fouls"})
+      EXPECT_TRUE(std::ranges::any_of(boxes, [&](const Box& box) { return box.text == row; }))
+          << row;
+  }
 }
 
 TEST_P(Layout, LevelMenu) {

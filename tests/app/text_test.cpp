@@ -28,6 +28,24 @@ TEST(Words, NumbersAreGroupedAsTheLanguageDoes) {
   EXPECT_EQ(french.number(12300), "12\u202f300");
 }
 
+TEST(Words, DecimalsAreWrittenAsTheLanguageDoes) {
+  EXPECT_EQ(Words(Language::english).tenths(1234.56), "1,234.6");
+  EXPECT_EQ(Words(Language::french).tenths(1234.56), "1\u202f234,6");
+  EXPECT_EQ(Words(Language::french).tenths(-0.25), "−0,3");
+}
+
+TEST(Words, CopiesSpeakAlike) {
+  Words one(Language::english);
+  const Words copy = one;
+  one.speak(Language::french);
+  one.name_players({"", "Zoé"});
+  EXPECT_EQ(copy(Text::quit), "Quitter");
+  EXPECT_EQ(copy.number(1000), "1\u202f000");
+  EXPECT_EQ(copy.player(0), "Joueur 1");
+  EXPECT_EQ(copy.player(1), "Zoé");
+  EXPECT_EQ(Words(Language::french).player(1), "Joueur 2") << "another one's names are its own";
+}
+
 TEST(Words, ShippedLevelsHaveFrenchNames) {
   EXPECT_EQ(Words(Language::french).level_name("First steps"), "Premiers pas");
   EXPECT_EQ(Words(Language::english).level_name("First steps"), "First steps");

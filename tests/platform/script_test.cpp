@@ -20,7 +20,7 @@ TEST(Script, ReadsEveryAction) {
 {"at": 3, "key": "Ctrl+Up"}
 {"at": 3, "hold": "Space"}
 {"at": 3, "let_go": "Space"}
-{"at": 3, "type": "47.3"}
+{"at": 3, "type": "Zoé"}
 {"at": 3, "key": "Shift+Left"})");
   ASSERT_TRUE(script);
   ASSERT_EQ(script.value().size(), 13u);
@@ -42,7 +42,7 @@ TEST(Script, ReadsEveryAction) {
   EXPECT_TRUE(up.ctrl && !up.shift);
   EXPECT_EQ(std::get<platform::Hold>(script.value()[9].action).key, app::Key::space);
   EXPECT_EQ(std::get<platform::LetGo>(script.value()[10].action).key, app::Key::space);
-  EXPECT_EQ(std::get<platform::Type>(script.value()[11].action).text, "47.3");
+  EXPECT_EQ(std::get<platform::Type>(script.value()[11].action).text, "Zoé");
   const app::KeyPressed left = std::get<platform::Press>(script.value()[12].action).key;
   EXPECT_EQ(left.key, app::Key::left);
   EXPECT_TRUE(left.shift && !left.ctrl);
@@ -90,15 +90,14 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"{\"at\":1,\"key\":\"Q\"}",
             "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
             "Right, Up, Down (these four also with Shift+ or Ctrl+), R, N, Backspace, +, -, ., "
-            "Ctrl+C or Ctrl+V"},
+            "Ctrl+C, Ctrl+V or F10"},
         Bad{"{\"at\":1,\"hold\":\"Ctrl+R\"}",
             "file:1: /hold: is \"Ctrl+R\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
             "Right, Up, Down (these four also with Shift+ or Ctrl+), R, N, Backspace, +, -, ., "
-            "Ctrl+C or Ctrl+V"},
+            "Ctrl+C, Ctrl+V or F10"},
         Bad{"{\"at\":1,\"wheel\":1001}",
             "file:1: /wheel: is 1001; expected notches, from -1000 to 1000"},
-        Bad{"{\"at\":1,\"type\":\"\u00e9\"}",
-            "file:1: /type: is \"\u00e9\"; expected a text of printable ASCII signs"},
+        Bad{"{\"at\":1,\"type\":47}", "file:1: /type: is 47; expected a text"},
         Bad{"{\"at\":1,\"print\":false}", "file:1: /print: is false; expected true"},
         Bad{"{\"at\":1,\"move\":[1,2],\"button\":\"left\"}",
             "file:1: /button: is \"left\"; expected \"left\" or \"right\", beside \"click\""},

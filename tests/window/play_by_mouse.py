@@ -18,7 +18,8 @@ class Window:
     def __init__(self, program, data, size, *arguments, title="title screen"):
         self.arguments = (program, data, size, *arguments)
         self.game = subprocess.Popen([program, "--size", size, "--lang", "en", *arguments],
-                                     env={**os.environ, "XDG_DATA_HOME": str(data)})
+                                     env={**os.environ, "XDG_DATA_HOME": str(data),
+                                          "XDG_CONFIG_HOME": str(data)})
         self.id = None
         self.wait_for(title)
 
