@@ -42,7 +42,7 @@ AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session, LevelRe
       bar_(words),
       strip_(words) {
   announce_level();
-  motion_.record(game().world());
+  motion_.restart(game().world());
   follow_phase();
 }
 
@@ -90,6 +90,10 @@ Transition AngryBallsScreen::event(const Input& input) {
   const auto* press = std::get_if<PointerPressed>(&input);
   if (press) pointer_ = press->at;
 
+  auto* launcher = std::get_if<Launcher>(&state_);
+  if (pace_.event(input, !question_ && !std::holds_alternative<Over>(state_) &&
+                             !(launcher && launcher->held())))
+    return Transition::stay;
   if (question_) {
     const auto chosen = question_->event(input);
     if (!chosen) return Transition::stay;
@@ -98,7 +102,7 @@ Transition AngryBallsScreen::event(const Input& input) {
     played_.forget();
     return Transition::levels;
   }
-  if (auto* launcher = std::get_if<Launcher>(&state_)) {
+  if (launcher) {
     const Launcher::Outcome outcome = launcher->event(input, stage());
     if (outcome != Launcher::Outcome::untouched) {
       bar_.buttons().blur();
@@ -185,6 +189,7 @@ Transition AngryBallsScreen::obey(UserBar::Command command) {
                       std::vector{words_(Text::leave), words_(Text::keep_playing)});
     place_parts();
   } else if (played_.restart()) {
+    pace_.new_game();
     show_anew();
     announce_level();
   }
@@ -219,6 +224,7 @@ std::string AngryBallsScreen::next_label() const {
 void AngryBallsScreen::follow_phase() {
   switch (game().phase()) {
     case Phase::aim: {
+      foresight_.end();
       const carom::Scene& level = game().level();
       Launcher launcher(played_.last_drag().value_or(
           first_aim(game().launch_place(), {level.width / 2, level.height / 2})));
@@ -231,6 +237,7 @@ void AngryBallsScreen::follow_phase() {
       turn_points_ = 0;
       trace_.clear();
       state_ = WatchThrow{};
+      if (!session_.calm()) foresight_.begin(game());
       break;
     case Phase::offer:
       state_ = NextOffered{Buttons({next_label()}, 0)};
@@ -238,12 +245,14 @@ void AngryBallsScreen::follow_phase() {
       return;  // the level goes on moving
     case Phase::won:
     case Phase::lost:
+      foresight_.end();
+      if (game().phase() == Phase::lost) session_.sounds.note({SoundKind::lose});
       state_ = Over{result(), game().world(),
                     game().phase() == Phase::won ? epilogue_time : nanoseconds{0}};
       place_parts();
       return;
   }
-  motion_.record(game().world());
+  motion_.restart(game().world());
   clock_.reset();
 }
 
@@ -287,7 +296,8 @@ bool AngryBallsScreen::moving() const {
 
 bool AngryBallsScreen::animating() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
-  return !question_ && (moving() || effects_.active() || (launcher && launcher->charging()));
+  return !question_ && !pace_.paused() &&
+         (moving() || effects_.active() || (launcher && launcher->charging()));
 }
 
 const carom::World& AngryBallsScreen::shown_world() const {
@@ -296,25 +306,30 @@ const carom::World& AngryBallsScreen::shown_world() const {
 }
 
 Transition AngryBallsScreen::iterate(nanoseconds elapsed) {
-  if (question_) return Transition::stay;  // the level waits for the answer
-  effects_.advance(elapsed);
+  // The level waits for the answer.
+  if (question_ || pace_.paused()) return Transition::stay;
+  const Speed speed = pace_.pass(elapsed);
+  effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
   if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
   if (!moving()) return Transition::stay;
-  for (int due = clock_.advance(elapsed); due > 0 && moving(); --due) step();
+  // Slow motion does not hold the window up.
+  if (auto* over = std::get_if<Over>(&state_))
+    over->wait -= elapsed * std::max(speed.quarters, 4) / 4;
+  for (int due = clock_.advance(elapsed, speed); due > 0 && moving(); --due) step();
   return Transition::stay;
 }
 
 void AngryBallsScreen::step() {
   motion_.record(shown_world());
   if (auto* over = std::get_if<Over>(&state_)) {
-    show_lost_balls(effects_, over->epilogue.step(), game().level());
-    over->wait -= Clock::step;
+    show_balls(effects_, session_.sounds, over->epilogue.step(), game().level());
     return;
   }
   const Phase before = game().phase();
   played_.step();
+  if (foresight_.step()) pace_.decisive();
   trace_projectile();
-  show_step(effects_, game(), words_);
+  show_step(effects_, session_.sounds, game(), words_);
   for (const angry_balls::Event& event : game().events())
     if (event.kind == angry_balls::EventKind::scored) turn_points_ += event.points;
   if (game().phase() == before) return;
@@ -336,12 +351,17 @@ void AngryBallsScreen::trace_projectile() {
 
 void AngryBallsScreen::draw(Canvas& canvas) const {
   DrawList& list = canvas.list;
+  const std::size_t begin = list.vertices.size();
   draw_level(list, layout_.world, viewport_, game().level());
   draw_trace(list);
   effects_.draw_under_balls(list, viewport_);
   const auto* launcher = std::get_if<Launcher>(&state_);
+  const double fraction = moving() ? clock_.fraction() : 1;
+  if (!canvas.calm)
+    draw_level_trails(list, viewport_, shown_world(), game().level(), motion_, fraction);
   draw_level_balls(list, layout_.world, viewport_, shown_world(), game().level(), motion_,
-                   moving() ? clock_.fraction() : 1);
+                   fraction);
+  if (canvas.shake) effects_.shake(list, begin, layout_.world);
   if (launcher) {
     const carom::Ball projectile = game().world().ball(0);
     if (const auto to = launcher->pulled_to()) draw_sling(list, viewport_, projectile, *to);
@@ -358,6 +378,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   if (offered) free.cut_top(canvas.px(64));
   effects_.draw_over_balls(canvas, viewport_, free);
   if (offered) offered->prompt.draw(canvas, 20);
+  pace_.draw_veil(canvas, layout_.world, words_);
 
   LevelBar::Content content;
   content.number = static_cast<int>(campaign_.current) + 1;
@@ -423,6 +444,7 @@ std::string AngryBallsScreen::describe() const {
     }
     return std::get<Over>(state_).dialog.title();
   }();
+  if (pace_.paused()) now = words_(Text::paused_state, {now});
   if (played_.practice()) now = words_(Text::practice_state, {now});
   return words_(Text::level_state,
                 {words_(Text::product), title(), now, words_.number(game().score()),

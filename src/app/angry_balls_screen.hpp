@@ -6,9 +6,11 @@
 
 #include "app/dialog.hpp"
 #include "app/effects.hpp"
+#include "app/foresight.hpp"
 #include "app/launcher.hpp"
 #include "app/level_bar.hpp"
 #include "app/motion.hpp"
+#include "app/pace.hpp"
 #include "app/played.hpp"
 #include "app/practice_strip.hpp"
 #include "app/preview.hpp"
@@ -85,6 +87,8 @@ class AngryBallsScreen final : public Screen {
   int turn_points_ = 0;
 
   Clock clock_;
+  Pace pace_;
+  Foresight<games::angry_balls::Game> foresight_;
   Motion motion_;
   Effects effects_;
   mutable Previewer previewer_;     ///< remembers what draw() asked for

@@ -42,12 +42,44 @@ void App::event(const Input& input) {
     view_ = View::of(resized->width, resized->height);
     font_.clear();  // the sizes in use have changed
     screen_->resize(view_);
+  } else if (is_key(input, Key::m) && !screen_->typing()) {
+    mute();
   } else {
+    if (presses_button(input)) session_.sounds.note({SoundKind::click});
     go(screen_->event(input));
   }
 }
 
-void App::iterate(nanoseconds elapsed) { go(screen_->iterate(elapsed)); }
+/// By what was drawn last, which is what the player sees.
+bool App::presses_button(const Input& input) const {
+  std::span<const Box> open = std::span(list_.boxes).subspan(list_.covered);
+  if (const auto* press = std::get_if<PointerPressed>(&input))
+    return press->button == PointerButton::left && std::ranges::any_of(open, [&](const Box& box) {
+             return box.kind == Box::Kind::button && box.area.contains(press->at);
+           });
+  const bool enter = is_key(input, Key::enter);
+  if (!enter && !is_key(input, Key::space)) return false;
+  return std::ranges::any_of(open, &Box::focused) ||
+         (enter && std::ranges::any_of(open, &Box::primary));
+}
+
+void App::mute() {
+  Settings settings = session_.settings.get();
+  settings.mute = !settings.mute;
+  session_.settings.set(settings);
+  toast_.show(words_(settings.mute ? Text::sound_off : Text::sound_on));
+}
+
+std::vector<SoundEvent> App::take_sounds() {
+  auto sounds = session_.sounds.take();
+  if (session_.settings.get().mute) sounds.clear();
+  return sounds;
+}
+
+void App::iterate(nanoseconds elapsed) {
+  toast_.advance(elapsed);
+  go(screen_->iterate(elapsed));
+}
 
 void App::watch(replay::Replay replay) {
   session_.to_watch = std::move(replay);
@@ -58,8 +90,10 @@ const DrawList& App::draw() {
   do {
     if (font_.full()) font_.grow();
     list_.clear();
-    Canvas canvas{list_, font_, view_};
+    const bool calm = session_.calm();
+    Canvas canvas{list_, font_, view_, calm, session_.settings.get().screen_shake && !calm};
     screen_->draw(canvas);
+    toast_.draw(canvas);
   } while (font_.full());
   return list_;
 }

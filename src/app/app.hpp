@@ -8,6 +8,7 @@
 #include "app/screen.hpp"
 #include "app/session.hpp"
 #include "app/text.hpp"
+#include "app/toast.hpp"
 
 namespace app {
 
@@ -32,18 +33,30 @@ class App {
   /// What is on screen, whose turn it is, scores and balls left, in one line: the window's title.
   std::string describe() const { return screen_->describe(); }
   /// The picture changes without input; otherwise the platform may sleep.
-  bool animating() const { return screen_->animating(); }
+  bool animating() const { return screen_->animating() || toast_.active(); }
+
+  /// What is to be heard since the last call; nothing while muted.
+  std::vector<SoundEvent> take_sounds();
+  /// Per cent, 0 while muted.
+  int volume() const {
+    const Settings& settings = session_.settings.get();
+    return settings.mute ? 0 : settings.volume;
+  }
+  KeptSettings& settings() { return session_.settings; }
   bool quit_requested() const { return quit_requested_; }
 
  private:
   void go(Transition transition);
   void resume();
+  bool presses_button(const Input& input) const;
+  void mute();
 
   Words words_;
   Session session_;
   View view_;
   Font font_;
   DrawList list_;
+  Toast toast_;
   std::unique_ptr<Screen> screen_;
   std::unique_ptr<Screen> below_;  ///< kept while a replay is shown
   bool quit_requested_ = false;

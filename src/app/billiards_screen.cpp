@@ -65,6 +65,10 @@ Transition BilliardsScreen::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
   if (const auto* press = std::get_if<PointerPressed>(&input)) pointer_ = press->at;
 
+  auto* launcher = std::get_if<Launcher>(&state_);
+  if (pace_.event(input,
+                  !question_ && game().phase() != Phase::over && !(launcher && launcher->held())))
+    return Transition::stay;
   if (question_) {
     const auto chosen = question_->dialog.event(input);
     if (!chosen) return Transition::stay;
@@ -72,7 +76,7 @@ Transition BilliardsScreen::event(const Input& input) {
     question_.reset();
     return *chosen == 0 ? obey(about) : Transition::stay;
   }
-  if (auto* launcher = std::get_if<Launcher>(&state_)) {
+  if (launcher) {
     const Launcher::Outcome outcome = launcher->event(input, stage());
     if (outcome != Launcher::Outcome::untouched) {
       bar_.buttons().blur();
@@ -163,6 +167,7 @@ Transition BilliardsScreen::obey(UserBar::Command command) {
     return Transition::title;
   }
   played_.restart(BilliardsRecorder(billiards::Game(options_of(session_))));
+  pace_.new_game();
   show_anew();
   announce_turn(game().player(), {});
   return Transition::stay;
@@ -187,8 +192,9 @@ Transition BilliardsScreen::finish(std::size_t button) {
 }
 
 void BilliardsScreen::follow_phase() {
-  motion_.record(game().world());
+  motion_.restart(game().world());
   clock_.reset();
+  foresight_.end();
   switch (game().phase()) {
     case Phase::aim: {
       const carom::Scene& table = game().world().scene();
@@ -202,6 +208,7 @@ void BilliardsScreen::follow_phase() {
     case Phase::roll:
       turn_points_ = 0;
       state_ = WatchShot{};
+      if (!session_.calm()) foresight_.begin(game());
       break;
     case Phase::place:
       state_ = PlaceBall{};
@@ -218,11 +225,14 @@ void BilliardsScreen::keep() {
 }
 
 Transition BilliardsScreen::iterate(nanoseconds elapsed) {
-  if (question_) return Transition::stay;  // the table waits for the answer
-  effects_.advance(elapsed);
+  // The table waits for the answer.
+  if (question_ || pace_.paused()) return Transition::stay;
+  const Speed speed = pace_.pass(elapsed);
+  effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
   if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
   if (game().phase() != Phase::roll) return Transition::stay;
-  for (int due = clock_.advance(elapsed); due > 0 && game().phase() == Phase::roll; --due) step();
+  for (int due = clock_.advance(elapsed, speed); due > 0 && game().phase() == Phase::roll; --due)
+    step();
   return Transition::stay;
 }
 
@@ -230,7 +240,8 @@ void BilliardsScreen::step() {
   motion_.record(game().world());
   const int shooter = game().player();
   played_.step();
-  show_step(effects_, game(), words_);
+  if (foresight_.step()) pace_.decisive();
+  show_step(effects_, session_.sounds, game(), words_);
   for (const billiards::Event& event : game().events()) note(event, shooter);
   if (game().phase() == Phase::roll) return;
   if (game().phase() == Phase::over && !played_.practice())
@@ -288,18 +299,19 @@ Dialog BilliardsScreen::result() const {
 
 bool BilliardsScreen::animating() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
-  return !question_ &&
+  return !question_ && !pace_.paused() &&
          (game().phase() == Phase::roll || effects_.active() || (launcher && launcher->charging()));
 }
 
 void BilliardsScreen::draw(Canvas& canvas) const {
   const Rect all = canvas.view.area();
+  const double fraction = game().phase() == Phase::roll ? clock_.fraction() : 1;
   fill_rounded(canvas.list, all, 0,
                Paint::vertical(all, palette::slate_top, palette::slate_bottom));
   draw_table(canvas.list, viewport_, game().world().scene());
   effects_.draw_under_balls(canvas.list, viewport_);
-  draw_balls(canvas.list, viewport_, game().world(), motion_,
-             game().phase() == Phase::roll ? clock_.fraction() : 1);
+  if (!canvas.calm) draw_table_trails(canvas.list, viewport_, game().world(), motion_, fraction);
+  draw_balls(canvas.list, viewport_, game().world(), motion_, fraction);
   const auto* launcher = std::get_if<Launcher>(&state_);
   if (launcher) {
     const carom::Ball cue = game().world().ball(0);
@@ -314,6 +326,7 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   }
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
+  pace_.draw_veil(canvas, layout_.world, words_);
   bar_.draw(canvas, bar_content());
   if (played_.practice()) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
@@ -401,6 +414,7 @@ std::string BilliardsScreen::describe() const {
     }
     return std::get<Over>(state_).dialog.title();
   }();
+  if (pace_.paused()) now = words_(Text::paused_state, {now});
   if (played_.practice()) now = words_(Text::practice_state, {now});
   return words_(Text::state, {words_(Text::product), now, words_.number(game().score(0)),
                               words_.number(game().score(1)), words_.number(game().reds_left()),

@@ -6,8 +6,10 @@
 #include "app/billiards_bar.hpp"
 #include "app/dialog.hpp"
 #include "app/effects.hpp"
+#include "app/foresight.hpp"
 #include "app/launcher.hpp"
 #include "app/motion.hpp"
+#include "app/pace.hpp"
 #include "app/played.hpp"
 #include "app/practice_strip.hpp"
 #include "app/preview.hpp"
@@ -83,6 +85,8 @@ class BilliardsScreen final : public Screen {
   std::optional<Question> question_;
 
   Clock clock_;
+  Pace pace_;
+  Foresight<games::billiards::Game> foresight_;
   Motion motion_;
   Effects effects_;
   mutable Previewer previewer_;  ///< remembers what draw() asked for

@@ -11,6 +11,8 @@ struct Canvas {
   DrawList& list;
   Font& font;
   const View& view;
+  bool calm = false;   ///< nothing moves for show only (Session::calm)
+  bool shake = false;  ///< what breaks may shake the picture
 
   float px(float units) const { return view.px(units); }
 };

@@ -6,24 +6,32 @@ namespace app {
 
 using std::chrono::nanoseconds;
 
+/// How quickly the game's time passes.
+struct Speed {
+  int quarters = 4;  ///< of real time, > 0
+};
+inline constexpr Speed real_speed{4};
+inline constexpr Speed slow_motion{1};
+inline constexpr Speed fast_forward{16};
+
 /// Turns the time that frames take into the simulation's steps of 10 ms, whatever the monitor's
 /// rate. What is left of a frame is kept for the next: nothing is rounded away.
 class Clock {
  public:
   static constexpr nanoseconds step{10'000'000};  ///< carom::time_step
-  /// Steps made up for after a stall; the rest of the stall is forgotten, so that a slow machine
-  /// shows slow motion instead of falling ever further behind.
+  /// Steps made up for after a stall, at real speed or slower; the rest of the stall is forgotten,
+  /// so that a slow machine shows slow motion instead of falling ever further behind.
   static constexpr int catch_up = 8;
 
-  /// How many steps to take now, at most `most`.
-  int advance(nanoseconds elapsed, int most = catch_up);
+  /// How many steps to take now.
+  int advance(nanoseconds elapsed, Speed speed = real_speed);
   /// How far into the step to come, in [0, 1).
   double fraction() const;
   /// Starts anew, at the beginning of a step.
-  void reset() { remainder_ = {}; }
+  void reset() { remainder_ = 0; }
 
  private:
-  nanoseconds remainder_{};  ///< in [0, step)
+  nanoseconds::rep remainder_ = 0;  ///< quarters of a nanosecond, in [0, 4 steps)
 };
 
 }  // namespace app

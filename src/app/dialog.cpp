@@ -57,6 +57,7 @@ std::optional<std::size_t> Dialog::event(const Input& input) {
 
 void Dialog::draw(Canvas& canvas) const {
   fill_rounded(canvas.list, canvas.view.area(), 0, palette::scrim);
+  canvas.list.covered = canvas.list.boxes.size();
   const float radius = canvas.px(16);
   fill_rounded(canvas.list, panel_.moved({0, canvas.px(8)}), radius, palette::shadow,
                canvas.px(24));

@@ -22,6 +22,9 @@ struct Box {
   Rect area;  ///< of a text, what its ink covers
   std::string text;
   int text_size = 0;  ///< px, of the em; 0 for a button
+  // Of a button.
+  bool focused = false;  ///< Enter and Space press it
+  bool primary = false;  ///< Enter presses it as long as none has the focus
 };
 
 /// One frame, all of it: triangles over one texture, back to front.
@@ -29,11 +32,13 @@ struct DrawList {
   std::vector<Vertex> vertices;
   std::vector<std::int32_t> indices;  ///< three a triangle
   std::vector<Box> boxes;
+  std::size_t covered = 0;  ///< so many boxes, the first, lie below a window that takes all input
 
   void clear() {
     vertices.clear();
     indices.clear();
     boxes.clear();
+    covered = 0;
   }
   /// Adds a vertex and gives its index.
   std::int32_t add(Point position, Color color, Point texture = {}) {

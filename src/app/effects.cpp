@@ -16,6 +16,7 @@ using std::chrono::milliseconds;
 
 constexpr nanoseconds sink_time = milliseconds{260};
 constexpr nanoseconds burst_time = milliseconds{900};
+constexpr nanoseconds shake_time = milliseconds{350};
 constexpr nanoseconds float_time = milliseconds{1500};
 constexpr nanoseconds announcement_time = milliseconds{1600};
 constexpr nanoseconds fade_time = milliseconds{250};
@@ -73,17 +74,40 @@ void Effects::draw_under_balls(DrawList& list, const Viewport& viewport) const {
   }
 }
 
-void Effects::draw_burst(DrawList& list, const Viewport& viewport, const Bursting& ball) {
+void Effects::shake(DrawList& list, std::size_t first, const Rect& area) const {
+  float strongest = 0;
+  float age = 0;
+  for (const Bursting& ball : bursting_) {
+    const float rest = 1 - progress(ball.age, shake_time);
+    if (rest <= strongest) continue;
+    strongest = rest;
+    age = std::chrono::duration<float>(ball.age).count();
+  }
+  if (strongest == 0) return;
+  const float reach = 0.008f * std::min(area.w, area.h) * strongest * strongest;
+  const Point off{reach * std::sin(age * 140), reach * std::cos(age * 110)};
+  // A little larger, so that no edge of the picture comes in.
+  const float scale = 1 + 2 * reach / std::min(area.w, area.h);
+  const Point middle = area.center();
+  for (std::size_t i = first; i < list.vertices.size(); ++i) {
+    Point& at = list.vertices[i].position;
+    at = middle + (at - middle) * scale + off;
+  }
+}
+
+void Effects::draw_burst(Canvas& canvas, const Viewport& viewport, const Bursting& ball) {
+  DrawList& list = canvas.list;
   const float t = progress(ball.age, burst_time);
   const Point c = viewport.to_window(ball.at);
   const float r = viewport.px(ball.radius);
   // A flash and a ring that opens, over in a third of the time.
   const float early = std::max(1 - t * 3, 0.0f);
   if (early > 0) {
-    const float out = r * (1 + 1.6f * (1 - early * early));
+    const float out = canvas.calm ? r * 1.4f : r * (1 + 1.6f * (1 - early * early));
     glow(list, c, out * 1.3f, out * 1.3f, faded(palette::sun, 0.9f * early));
     stroke_circle(list, c, out, r * 0.22f * early + 1, faded(palette::glint, early));
   }
+  if (canvas.calm) return;
   constexpr std::uint32_t shards = 18;
   const float opacity = std::min(1.0f, (1 - t) * 2.5f);
   for (std::uint32_t i = 0; i < shards; ++i) {
@@ -107,11 +131,11 @@ void Effects::draw_burst(DrawList& list, const Viewport& viewport, const Burstin
 }
 
 void Effects::draw_over_balls(Canvas& canvas, const Viewport& viewport, const Rect& table) const {
-  for (const Bursting& ball : bursting_) draw_burst(canvas.list, viewport, ball);
+  for (const Bursting& ball : bursting_) draw_burst(canvas, viewport, ball);
   std::vector<Rect> taken;
   for (const Floating& text : floating_) {
     const float t = progress(text.age, float_time);
-    const float rise = canvas.px(48) * (1 - (1 - t) * (1 - t));
+    const float rise = canvas.px(48) * (canvas.calm ? 0.6f : 1 - (1 - t) * (1 - t));
     const TextStyle style{Face::bold, 20, text.color, Align::center};
     Rect box =
         pill_box(canvas, viewport.to_window(text.from) - Point{0, rise}, table, style, text.text);

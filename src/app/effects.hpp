@@ -32,6 +32,8 @@ class Effects {
   }
 
   void draw_under_balls(DrawList& list, const Viewport& viewport) const;
+  /// Shakes what was drawn from vertex `first` on, in `area`, as long as a ball breaks.
+  void shake(DrawList& list, std::size_t first, const Rect& area) const;
   /// `table`: what everything stays within, window px.
   void draw_over_balls(Canvas& canvas, const Viewport& viewport, const Rect& table) const;
 
@@ -63,7 +65,7 @@ class Effects {
     nanoseconds age{};
   };
 
-  static void draw_burst(DrawList& list, const Viewport& viewport, const Bursting& ball);
+  static void draw_burst(Canvas& canvas, const Viewport& viewport, const Bursting& ball);
   void draw_announcement(Canvas& canvas, const Rect& table) const;
 
   std::vector<Sinking> sinking_;

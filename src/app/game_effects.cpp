@@ -1,5 +1,6 @@
 #include "app/game_effects.hpp"
 
+#include "app/game_sounds.hpp"
 #include "app/level_view.hpp"
 #include "app/palette.hpp"
 
@@ -8,8 +9,11 @@ namespace app {
 namespace angry_balls = games::angry_balls;
 namespace billiards = games::billiards;
 
-void show_step(Effects& effects, const billiards::Game& game, const Words& words) {
+void show_step(Effects& effects, Sounds& sounds, const billiards::Game& game, const Words& words) {
   const carom::Scene& table = game.world().scene();
+  note_contacts(sounds, game.physics_events(), table, false);
+  for (const billiards::Event& event : game.events())
+    if (event.kind == billiards::EventKind::over) sounds.note({SoundKind::win});
   for (const carom::Event& event : game.physics_events()) {
     if (event.kind != carom::EventKind::pocketed) continue;
     const bool cue = event.ball == 0;
@@ -23,16 +27,20 @@ void show_step(Effects& effects, const billiards::Game& game, const Words& words
   }
 }
 
-void show_step(Effects& effects, const angry_balls::Game& game, const Words& words) {
-  show_lost_balls(effects, game.physics_events(), game.level());
-  for (const angry_balls::Event& event : game.events())
+void show_step(Effects& effects, Sounds& sounds, const angry_balls::Game& game,
+               const Words& words) {
+  show_balls(effects, sounds, game.physics_events(), game.level());
+  for (const angry_balls::Event& event : game.events()) {
+    if (event.kind == angry_balls::EventKind::won) sounds.note({SoundKind::win});
     if (event.kind == angry_balls::EventKind::scored)
       effects.float_up(event.position, words(Text::points, {words.number(event.points)}),
                        palette::accents[0]);
+  }
 }
 
-void show_lost_balls(Effects& effects, std::span<const carom::Event> events,
-                     const carom::Scene& level) {
+void show_balls(Effects& effects, Sounds& sounds, std::span<const carom::Event> events,
+                const carom::Scene& level) {
+  note_contacts(sounds, events, level, true);
   for (const carom::Event& event : events) {
     const carom::Ball& ball = level.balls[event.ball];
     const BallLook& look = look_of(ball, ball.solidity, level);

@@ -29,6 +29,9 @@ enum class Key : std::uint8_t {
   copy,   ///< Ctrl+C
   paste,  ///< Ctrl+V
   settings,
+  f,
+  m,
+  p,
 };
 
 struct PointerMoved {

@@ -44,6 +44,10 @@ class Launcher {
   /// Space is held: the strength runs up and down.
   void advance(nanoseconds elapsed);
   bool charging() const { return charging_; }
+  /// A button or key is held, and letting go of it will do something.
+  bool held() const {
+    return charging_ || grip_ == Grip::pressed || grip_ == Grip::pulling || grip_ == Grip::sliding;
+  }
   /// Shows a launch, to be edited.
   void show(const Aim& launch);
 

@@ -239,7 +239,7 @@ void LevelMenu::draw_card(Canvas& canvas, std::size_t button) const {
   std::string all;
   for (std::size_t i = texts; i < list.boxes.size(); ++i)
     all += (all.empty() ? "" : "\n") + list.boxes[i].text;
-  list.boxes.push_back({Box::Kind::button, buttons_.box(button), std::move(all), 0});
+  buttons_.list_box(list, button, std::move(all));
 }
 
 /// The level, small. A level of very many things shows the first of them.

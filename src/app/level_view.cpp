@@ -8,6 +8,7 @@
 #include "app/noise.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
+#include "app/trails.hpp"
 #include "games/launch.hpp"
 
 namespace app {
@@ -247,6 +248,13 @@ void draw_level(DrawList& list, const Rect& area, const Viewport& viewport,
             level.edges.left == carom::Edge::open);
   draw_side(list, {right, area.y, area.right() - right, area.h}, {right, area.y},
             {right, area.bottom()}, level.edges.right == carom::Edge::open);
+}
+
+void draw_level_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
+                       const carom::Scene& level, const Motion& motion, double fraction) {
+  draw_trails(list, viewport, world, motion, fraction, [&](const carom::Ball& ball) {
+    return mix(look_of(ball, level.balls[ball.id].solidity, level).base, palette::cream, 0.4f);
+  });
 }
 
 void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport,

@@ -17,6 +17,9 @@ void draw_level(DrawList& list, const Rect& area, const Viewport& viewport,
 
 /// The balls in play, `fraction` of the way through the current step, with the cracks they got
 /// since `level`; and above the top edge of `area`, signs of the balls that are higher up.
+/// What quick balls leave behind, drawn before every ball.
+void draw_level_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
+                       const carom::Scene& level, const Motion& motion, double fraction);
 void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport,
                       const carom::World& world, const carom::Scene& level, const Motion& motion,
                       double fraction);

@@ -1,19 +1,35 @@
 #include "app/motion.hpp"
 
+#include <algorithm>
+
 namespace app {
 
 void Motion::record(const carom::World& world) {
   for (std::size_t i = 0; i < world.size(); ++i) {
     const carom::Ball ball = world.ball(i);
-    if (ball.id >= before_.size()) before_.resize(ball.id + 1);
-    before_[ball.id] = ball.position;
+    if (ball.id >= past_.size()) past_.resize(ball.id + 1);
+    auto& [places, known] = past_[ball.id];
+    std::shift_right(places.begin(), places.end(), 1);
+    places[0] = ball.position;
+    known = std::min(known + 1, remembered);
   }
+}
+
+void Motion::restart(const carom::World& world) {
+  past_.clear();
+  record(world);
+}
+
+std::span<const carom::Vec2> Motion::past(std::uint32_t id) const {
+  if (id >= past_.size()) return {};
+  return std::span(past_[id].places).first(past_[id].known);
 }
 
 carom::Vec2 Motion::position(const carom::World& world, std::size_t index, double fraction) const {
   const carom::Ball ball = world.ball(index);
-  if (ball.id >= before_.size()) return ball.position;
-  return before_[ball.id] + fraction * (ball.position - before_[ball.id]);
+  const auto before = past(ball.id);
+  if (before.empty()) return ball.position;
+  return before[0] + fraction * (ball.position - before[0]);
 }
 
 }  // namespace app

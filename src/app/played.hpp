@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/game_sounds.hpp"
 #include "app/practice.hpp"
 #include "app/session.hpp"
 
@@ -55,6 +56,7 @@ class Played {
   bool launch(const Aim& aim) {
     auto before = practice_ ? std::optional(recorder_) : std::nullopt;
     if (!apply(Launch{aim.drag()})) return false;
+    note_launch(session_.sounds, game().world().ball(0), game().world().scene());
     if (before) practice_->thrown(std::move(*before), aim);
     last_drag_ = aim.drag();
     return true;

@@ -193,7 +193,7 @@ void ReplayList::draw_entry(Canvas& canvas, std::size_t index) const {
   std::string texts;
   for (std::size_t i = own; i < list.boxes.size(); ++i)
     texts += (texts.empty() ? "" : "\n") + list.boxes[i].text;
-  list.boxes.push_back({Box::Kind::button, buttons_.box(index), std::move(texts), 0});
+  buttons_.list_box(list, index, std::move(texts));
 }
 
 std::string ReplayList::describe() const {

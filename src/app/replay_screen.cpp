@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/game_effects.hpp"
+#include "app/game_sounds.hpp"
 #include "app/label.hpp"
 #include "app/level_view.hpp"
 #include "app/load_screen.hpp"
@@ -26,13 +27,18 @@ enum Button : std::size_t {
   close
 };
 
-struct Speed {
-  int quarters;  ///< of the real speed
+struct NamedSpeed {
+  Speed speed;
   std::string_view name;
 };
-constexpr std::array speeds{Speed{1, "¼"},  Speed{2, "½"},  Speed{4, "1"},  Speed{8, "2"},
-                            Speed{16, "4"}, Speed{32, "8"}, Speed{64, "16"}};
-constexpr std::size_t real_speed = 2;
+constexpr std::array<NamedSpeed, 7> speeds{{{slow_motion, "¼"},
+                                            {{2}, "½"},
+                                            {real_speed, "1"},
+                                            {{8}, "2"},
+                                            {fast_forward, "4"},
+                                            {{32}, "8"},
+                                            {{64}, "16"}}};
+constexpr std::size_t first_speed = 2;
 
 constexpr float least_turn_width = 4;  ///< px: denser marks would only be a grey bar
 
@@ -45,7 +51,7 @@ ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player 
     : words_(words),
       session_(session),
       player_(std::move(player)),
-      speed_(real_speed),
+      speed_(first_speed),
       buttons_({words(Text::previous_turn), words(Text::pause), words(Text::one_step),
                 words(Text::following_turn), words(Text::slower), words(Text::faster),
                 words(Text::save_replay), words(Text::copy), words(Text::close)}) {
@@ -120,6 +126,7 @@ Transition ReplayScreen::event(const Input& input) {
   if (const auto* key = std::get_if<KeyPressed>(&input)) {
     switch (key->key) {
       case Key::space:
+      case Key::p:
         return press(play);
       case Key::period:
         return press(one);
@@ -215,7 +222,7 @@ void ReplayScreen::go_where_wanted() {
   if (ended_) playing_ = false;
   effects_.clear();
   clock_.reset();
-  motion_.record(replay::world(player_.game()));
+  motion_.restart(replay::world(player_.game()));
 }
 
 void ReplayScreen::step() {
@@ -229,9 +236,12 @@ void ReplayScreen::step() {
     return;
   }
   // A ball that was put down has not rolled there.
-  if (begins) motion_.record(replay::world(player_.game()));
+  const carom::World& world = replay::world(player_.game());
+  if (begins) motion_.restart(world);
   if (player_.steps() == before) return;
-  std::visit([&](const auto& game) { show_step(effects_, game, words_); }, player_.game());
+  if (begins && world.in_play(0)) note_launch(session_.sounds, world.ball(0), world.scene());
+  std::visit([&](const auto& game) { show_step(effects_, session_.sounds, game, words_); },
+             player_.game());
 }
 
 Transition ReplayScreen::iterate(nanoseconds elapsed) {
@@ -239,13 +249,9 @@ Transition ReplayScreen::iterate(nanoseconds elapsed) {
   if (!complete_) complete_ = !player_.look_ahead(steps_at_once(player_));
   go_where_wanted();
   if (playing_ && !wanted_) {
-    const int quarters = speeds[speed_].quarters;
-    const auto most = std::min<std::uint64_t>(
-        static_cast<std::uint64_t>(Clock::catch_up * std::max(quarters / 4, 1)),
-        steps_at_once(player_));
-    for (int due = clock_.advance(elapsed * quarters / 4, static_cast<int>(most));
-         due > 0 && playing_; --due)
-      step();
+    auto due = std::min(static_cast<std::uint64_t>(clock_.advance(elapsed, speeds[speed_].speed)),
+                        steps_at_once(player_));
+    for (; due > 0 && playing_; --due) step();
   }
   buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
   return Transition::stay;
@@ -292,19 +298,23 @@ void ReplayScreen::draw(Canvas& canvas) const {
 
 void ReplayScreen::draw_world(Canvas& canvas) const {
   DrawList& list = canvas.list;
+  const std::size_t begin = list.vertices.size();
   const carom::World& world = replay::world(player_.game());
   const double fraction = playing_ ? clock_.fraction() : 1;
   if (const auto& level = player_.replay().level) {
     draw_level(list, world_, viewport_, *level);
     effects_.draw_under_balls(list, viewport_);
+    if (!canvas.calm) draw_level_trails(list, viewport_, world, *level, motion_, fraction);
     draw_level_balls(list, world_, viewport_, world, *level, motion_, fraction);
   } else {
     const Rect all = canvas.view.area();
     fill_rounded(list, all, 0, Paint::vertical(all, palette::slate_top, palette::slate_bottom));
     draw_table(list, viewport_, world.scene());
     effects_.draw_under_balls(list, viewport_);
+    if (!canvas.calm) draw_table_trails(list, viewport_, world, motion_, fraction);
     draw_balls(list, viewport_, world, motion_, fraction);
   }
+  if (canvas.shake) effects_.shake(list, begin, world_);
   effects_.draw_over_balls(canvas, viewport_, world_.inset(canvas.px(4)));
 }
 

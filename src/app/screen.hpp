@@ -41,6 +41,8 @@ class Screen {
   virtual void draw(Canvas& canvas) const = 0;
   /// What is on screen, in one line.
   virtual std::string describe() const = 0;
+  /// What is typed is a text: letters are no commands.
+  virtual bool typing() const { return false; }
   /// The picture changes without input.
   virtual bool animating() const = 0;
 };

@@ -11,6 +11,7 @@
 #include "app/kept_games.hpp"
 #include "app/saved_replays.hpp"
 #include "app/settings.hpp"
+#include "app/sound.hpp"
 #include "app/text.hpp"
 #include "replay/recorder.hpp"
 
@@ -29,6 +30,13 @@ struct Session {
         settings(store),
         clipboard(shared) {}
 
+  /// Nothing moves for show only: no trails, no slow motion, no shaking.
+  bool calm() const {
+    const ReducedMotion wanted = settings.get().reduced_motion;
+    return wanted == ReducedMotion::on ||
+           (wanted == ReducedMotion::system && system_reduced_motion);
+  }
+
   Campaign campaign;
   KeptGames kept;
   SavedReplays saved;
@@ -38,6 +46,8 @@ struct Session {
   /// Asked for at this start: stronger than the settings, until the player changes them.
   std::optional<Language> asked_language;
   std::optional<FinishedGame> last_game;   ///< of billiards, since the start
+  Sounds sounds;                           ///< noted and not yet played
+  bool system_reduced_motion = false;      ///< what the desktop or browser asks for
   std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
   replay::Kind to_continue{};              ///< what Transition::load goes on with
   /// What Transition::resume goes on with.

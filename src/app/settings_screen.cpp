@@ -430,6 +430,11 @@ void SettingsScreen::draw_line(Canvas& canvas, Control control) const {
   canvas.list.boxes.push_back({Box::Kind::button, whole, name + '\n' + value, 0});
 }
 
+bool SettingsScreen::typing() const {
+  const auto setting = focused_ ? setting_of(*focused_) : std::nullopt;
+  return setting && player_of(*setting);
+}
+
 /// A field to type in; the end of a name too long for it is what is shown.
 void SettingsScreen::draw_name(Canvas& canvas, const Rect& box, Setting setting,
                                bool focused) const {

@@ -25,6 +25,7 @@ class SettingsScreen final : public Screen {
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override { return false; }
+  bool typing() const override;
 
   enum class Setting : std::uint8_t {
     language,

@@ -6,6 +6,7 @@
 #include "app/balls.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
+#include "app/trails.hpp"
 
 namespace app {
 namespace {
@@ -205,6 +206,13 @@ class TablePainter {
 
 void draw_table(DrawList& list, const Viewport& viewport, const carom::Scene& scene) {
   TablePainter(list, viewport, scene).paint();
+}
+
+void draw_table_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
+                       const Motion& motion, double fraction) {
+  draw_trails(list, viewport, world, motion, fraction, [](const carom::Ball& ball) {
+    return ball.id == 0 ? palette::ivory : mix(palette::red, palette::cream, 0.25f);
+  });
 }
 
 void draw_balls(DrawList& list, const Viewport& viewport, const carom::World& world,

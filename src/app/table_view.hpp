@@ -14,6 +14,9 @@ inline constexpr double table_margin = 46;
 void draw_table(DrawList& list, const Viewport& viewport, const carom::Scene& scene);
 
 /// The balls in play, `fraction` of the way through the current step.
+/// What quick balls leave behind, drawn before every ball.
+void draw_table_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
+                       const Motion& motion, double fraction);
 void draw_balls(DrawList& list, const Viewport& viewport, const carom::World& world,
                 const Motion& motion, double fraction);
 

@@ -253,6 +253,11 @@ enum class Text : std::uint8_t {
   preview_full,
   breaks_alternate,
   breaks_loser,
+  sound_on,
+  sound_off,
+  paused,
+  hint_paused,
+  paused_state,
   count,
 };
 

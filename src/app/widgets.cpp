@@ -119,7 +119,15 @@ void Buttons::draw_one(Canvas& canvas, std::size_t index, float text_size) const
   const Button& button = buttons_[index];
   label(canvas, look.box.inset(canvas.px(10), 0), {Face::bold, text_size, look.ink, Align::center},
         button.label);
-  canvas.list.boxes.push_back({Box::Kind::button, button.box, button.label, 0});
+  list_box(canvas.list, index, button.label);
+}
+
+void Buttons::list_box(DrawList& list, std::size_t index, std::string text) const {
+  list.boxes.push_back({.kind = Box::Kind::button,
+                        .area = box(index),
+                        .text = std::move(text),
+                        .focused = focused(index),
+                        .primary = primary_ == index});
 }
 
 }  // namespace app

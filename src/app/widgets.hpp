@@ -49,6 +49,8 @@ class Buttons {
     Color ink;
   };
   Look draw_face(Canvas& canvas, std::size_t index) const;
+  /// Lists it among what is on screen; `text`: all that is written on it.
+  void list_box(DrawList& list, std::size_t index, std::string text) const;
   /// Up and down move the focus by so many.
   void set_columns(std::size_t columns) { columns_ = columns; }
 

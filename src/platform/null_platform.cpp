@@ -1,6 +1,7 @@
 #include "platform/null_platform.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "platform/png.hpp"
@@ -61,7 +62,10 @@ carom::Status NullPlatform::run(const Script& script, const Print& print) {
 }
 
 void NullPlatform::pass(nanoseconds time) {
-  for (; time > nanoseconds{0}; time -= frame) app_.iterate(std::min(time, frame));
+  for (; time > nanoseconds{0}; time -= frame) {
+    app_.iterate(std::min(time, frame));
+    std::ranges::copy(app_.take_sounds(), std::back_inserter(sounds_));
+  }
 }
 
 void NullPlatform::click(app::Point at, app::PointerButton button) {

@@ -34,12 +34,15 @@ class NullPlatform {
   app::App& app() { return app_; }
   app::Store& store() { return store_; }
   app::Clipboard& clipboard() { return clipboard_; }
+  /// All that was to be heard.
+  const std::vector<app::SoundEvent>& sounds() const { return sounds_; }
 
  private:
   app::MemoryStore memory_;
   app::Store& store_;
   app::MemoryClipboard clipboard_;
   app::App app_;
+  std::vector<app::SoundEvent> sounds_;
   int width_;
   int height_;
 };

@@ -16,30 +16,23 @@ using nlohmann::json;
 constexpr double longest = 86'400;  ///< s
 constexpr double widest = 100'000;  ///< px
 
-constexpr std::array<std::pair<std::string_view, app::Key>, 18> keys{{
-    {"Return", app::Key::enter},
-    {"Space", app::Key::space},
-    {"Tab", app::Key::tab},
-    {"Shift+Tab", app::Key::back_tab},
-    {"Escape", app::Key::escape},
-    {"Left", app::Key::left},
-    {"Right", app::Key::right},
-    {"Up", app::Key::up},
-    {"Down", app::Key::down},
-    {"R", app::Key::r},
-    {"N", app::Key::n},
-    {"Backspace", app::Key::backspace},
-    {"+", app::Key::plus},
-    {"-", app::Key::minus},
-    {".", app::Key::period},
-    {"Ctrl+C", app::Key::copy},
-    {"Ctrl+V", app::Key::paste},
-    {"F10", app::Key::settings},
+constexpr std::array<std::pair<std::string_view, app::Key>, 21> keys{{
+    {"Return", app::Key::enter},  {"Space", app::Key::space},
+    {"Tab", app::Key::tab},       {"Shift+Tab", app::Key::back_tab},
+    {"Escape", app::Key::escape}, {"Left", app::Key::left},
+    {"Right", app::Key::right},   {"Up", app::Key::up},
+    {"Down", app::Key::down},     {"R", app::Key::r},
+    {"N", app::Key::n},           {"Backspace", app::Key::backspace},
+    {"+", app::Key::plus},        {"-", app::Key::minus},
+    {".", app::Key::period},      {"Ctrl+C", app::Key::copy},
+    {"Ctrl+V", app::Key::paste},  {"F10", app::Key::settings},
+    {"F", app::Key::f},           {"M", app::Key::m},
+    {"P", app::Key::p},
 }};
 
 constexpr std::string_view key_names =
     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down (these four also with Shift+ or "
-    "Ctrl+), R, N, Backspace, +, -, ., Ctrl+C, Ctrl+V or F10";
+    "Ctrl+), F, M, N, P, R, Backspace, +, -, ., Ctrl+C, Ctrl+V or F10";
 
 constexpr std::string_view line_form =
     "an object with \"at\" and one of \"click\", \"move\", \"press\", \"release\", \"wheel\", "

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/app.hpp"
+#include "platform/speaker.hpp"
 
 namespace platform {
 namespace {
@@ -81,7 +82,7 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
   if ((key.mod & KMOD_CTRL) != 0) {
     if (key.sym == SDLK_c) return app::Key::copy;
     if (key.sym == SDLK_v) return app::Key::paste;
-    if (key.sym == SDLK_r || key.sym == SDLK_n) return std::nullopt;
+    if (key.sym >= SDLK_a && key.sym <= SDLK_z) return std::nullopt;
   }
   switch (key.sym) {
     case SDLK_RETURN:
@@ -109,6 +110,12 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
       return app::Key::settings;
     case SDLK_BACKSPACE:
       return app::Key::backspace;
+    case SDLK_f:
+      return app::Key::f;
+    case SDLK_m:
+      return app::Key::m;
+    case SDLK_p:
+      return app::Key::p;
     default:
       return std::nullopt;
   }
@@ -139,6 +146,7 @@ class Player {
       // What passed while nothing moved is no time of the game's.
       if (!waited) app_.iterate(now - last);
       last = now;
+      speaker_.play(app_.take_sounds(), app_.volume());
       stale |= app_.animating();
       if (!stale || closed_) continue;
       show();
@@ -201,8 +209,7 @@ class Player {
       case SDL_KEYDOWN:
         return handle(event.key);
       case SDL_KEYUP:
-        if (const auto key = key_of(event.key.keysym)) app_.event(app::KeyReleased{*key});
-        return true;
+        return release(event.key.keysym);
       case SDL_TEXTINPUT:
         app_.event(app::TextTyped{event.text.text});
         press(key_of(std::string_view(event.text.text)));
@@ -239,6 +246,13 @@ class Player {
     if (press.repeat != 0 && key && std::ranges::find(repeating, *key) == repeating.end())
       return false;
     return this->press(key, press.keysym.mod);
+  }
+
+  bool release(SDL_Keysym released) {
+    released.mod = KMOD_NONE;  // a key is let go, whatever else is held by now
+    const auto key = key_of(released);
+    if (key) app_.event(app::KeyReleased{*key});
+    return key.has_value();
   }
 
   bool press(std::optional<app::Key> key, int modifiers = KMOD_NONE) {
@@ -290,6 +304,7 @@ class Player {
   int uploaded_side_ = 0;
   std::uint64_t uploaded_version_ = 0;
   DesktopClipboard clipboard_;
+  Speaker speaker_;
   app::App app_;
   std::string title_;
   float across_ = 1;  ///< pixels a point of the window

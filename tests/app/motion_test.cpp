@@ -35,4 +35,20 @@ TEST(Motion, FollowsABallWhoseIndexChanged) {
   EXPECT_EQ(motion.position(world, 0, 0.5), (carom::Vec2{300.5, 300}));
 }
 
+TEST(Motion, RemembersTheLastPlacesUntilABallIsMovedByHand) {
+  carom::World world = world_of({{.position = {100, 100}, .velocity = {200, 0}}});
+  app::Motion motion;
+  EXPECT_TRUE(motion.past(0).empty());
+  for (std::size_t i = 0; i < 20; ++i) {
+    motion.record(world);
+    world.step();
+    EXPECT_EQ(motion.past(0).size(), std::min(i + 1, app::Motion::remembered));
+  }
+  for (std::size_t i = 0; i < app::Motion::remembered; ++i)
+    EXPECT_NEAR(motion.past(0)[i].x, 138 - 2 * static_cast<double>(i), 1e-9);
+  motion.restart(world);
+  ASSERT_EQ(motion.past(0).size(), 1u);
+  EXPECT_EQ(motion.past(0)[0], world.ball(0).position);
+}
+
 }  // namespace

@@ -89,11 +89,13 @@ INSTANTIATE_TEST_SUITE_P(
             "file:1: /click: is [1,1e+300]; expected a point of the window, [x, y] (px)"},
         Bad{"{\"at\":1,\"key\":\"Q\"}",
             "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down (these four also with Shift+ or Ctrl+), R, N, Backspace, +, -, ., "
+            "Right, Up, Down (these four also with Shift+ or Ctrl+), F, M, N, P, R, Backspace, +, "
+            "-, ., "
             "Ctrl+C, Ctrl+V or F10"},
         Bad{"{\"at\":1,\"hold\":\"Ctrl+R\"}",
             "file:1: /hold: is \"Ctrl+R\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down (these four also with Shift+ or Ctrl+), R, N, Backspace, +, -, ., "
+            "Right, Up, Down (these four also with Shift+ or Ctrl+), F, M, N, P, R, Backspace, +, "
+            "-, ., "
             "Ctrl+C, Ctrl+V or F10"},
         Bad{"{\"at\":1,\"wheel\":1001}",
             "file:1: /wheel: is 1001; expected notches, from -1000 to 1000"},

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/canvas.hpp"
+#include "app/clock.hpp"
+#include "app/input.hpp"
+#include "app/text.hpp"
+
+namespace app {
+
+/// How quickly a game is shown, by the player's keys and by what happens: P pauses, F held down
+/// goes faster, a decisive moment passes slowly. Only how many steps a frame makes: the steps are
+/// the same.
+class Pace {
+ public:
+  /// A decisive moment is shown slowly for so long, real time.
+  static constexpr nanoseconds slow_time = std::chrono::milliseconds{1500};
+
+  /// Whether it was meant for the pace: then it is done with. `free`: the game is on top, and may
+  /// be paused.
+  bool event(const Input& input, bool free);
+  bool paused() const { return paused_; }
+  /// Slow from now on; at most once a game.
+  void decisive();
+  void new_game() { *this = {}; }
+  /// The speed of a frame that takes `elapsed`.
+  Speed pass(nanoseconds elapsed);
+
+  /// Over `area`, while paused.
+  void draw_veil(Canvas& canvas, const Rect& area, const Words& words) const;
+
+ private:
+  bool paused_ = false;
+  bool fast_ = false;      ///< the key is held down
+  bool was_slow_ = false;  ///< in this game
+  nanoseconds slow_left_{};
+};
+
+}  // namespace app
