@@ -15,10 +15,10 @@ namespace {
 constexpr double arrow_share = 0.2;  ///< of the drag, when a preview shows the rest
 
 /// From calm to furious.
-Color strength_color(double strength) {
+Color strength_color(const Palette& palette, double strength) {
+  const auto& [calm, brisk, furious] = palette.strength;
   const auto t = static_cast<float>(strength);
-  return t < 0.5f ? mix(rgb(0x9be08f), rgb(0xf7d354), t * 2)
-                  : mix(rgb(0xf7d354), rgb(0xff7a3d), t * 2 - 1);
+  return t < 0.5f ? mix(calm, brisk, t * 2) : mix(brisk, furious, t * 2 - 1);
 }
 
 void draw_bar(Canvas& canvas, const Rect& bar, const Aim& aim) {
@@ -28,8 +28,8 @@ void draw_bar(Canvas& canvas, const Rect& bar, const Aim& aim) {
   const float full = filled.w;
   filled.w = std::max(full * static_cast<float>(aim.strength()), filled.h);
   if (!aim.too_weak()) {
-    const Paint heat(Point{bar.x, 0}, strength_color(0), {filled.right(), 0},
-                     strength_color(aim.strength()));
+    const Paint heat(Point{bar.x, 0}, strength_color(*canvas.list.palette, 0), {filled.right(), 0},
+                     strength_color(*canvas.list.palette, aim.strength()));
     fill_rounded(canvas.list, filled, filled.h / 2, heat);
   }
   for (int quarter = 1; quarter < 4; ++quarter) {
@@ -38,7 +38,7 @@ void draw_bar(Canvas& canvas, const Rect& bar, const Aim& aim) {
          faded(palette::cream, 0.35f));
   }
   stroke_rounded(canvas.list, bar, radius, canvas.px(aim.capped() ? 2 : 1),
-                 aim.capped() ? strength_color(1) : palette::panel_edge);
+                 aim.capped() ? strength_color(*canvas.list.palette, 1) : palette::panel_edge);
 }
 
 /// The bar, and above it the launch in numbers: off the table, where they cover no ball.
@@ -49,7 +49,8 @@ void draw_meter(Canvas& canvas, const Rect& meter, const Aim& aim, const Words& 
   const std::string speed = words(aim.capped() ? Text::speed_capped : Text::speed,
                                   {words.number(static_cast<int>(std::lround(aim.speed())))});
   label(canvas, numbers,
-        {Face::bold, 18, aim.capped() ? strength_color(1) : palette::cream, Align::center},
+        {Face::bold, 18, aim.capped() ? strength_color(*canvas.list.palette, 1) : palette::cream,
+         Align::center},
         words(Text::aimed, {words.tenths(aim.degrees()), speed}));
 }
 
@@ -116,7 +117,7 @@ void draw_arrow(DrawList& list, const Viewport& viewport, Point from, Point way,
                 float reach, const Aim& aim) {
   const Point start = from + way * (ball * 1.4f);
   const Point tip = from + way * std::max(reach, ball * 1.4f + viewport.px(4));
-  const Color color = strength_color(aim.strength());
+  const Color color = strength_color(*list.palette, aim.strength());
   const float head = std::min(viewport.px(18), length(tip - start) * 0.6f);
   const float width = viewport.px(4);
   const Point neck = tip - way * head;
@@ -170,11 +171,11 @@ void draw_preview(DrawList& list, const Viewport& viewport, const carom::World& 
   if (preview.pocketed) {
     const BallPath& path = preview.lead_after.empty() ? preview.lead : preview.lead_after;
     const Point at = viewport.to_window(path.back().at);
-    draw_ring(list, at, radius * 1.3f, width + 1, palette::refused);
+    draw_ring(list, at, radius * 1.3f, width + 1, list.palette->refused);
     const float arm = radius * 0.7f;
     for (const float side : {-1.0f, 1.0f})
       draw_cased(list, std::array{at + Point{-arm, -arm * side}, at + Point{arm, arm * side}},
-                 width + 1, palette::refused);
+                 width + 1, list.palette->refused);
   }
 }
 

@@ -371,7 +371,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
                              played_.practice().has_value()));
     else
       draw_invitation(list, viewport_, projectile, on_lead(projectile, pointer_, viewport_, view_),
-                      palette::accents[0]);
+                      canvas.list.palette->accents[0]);
   }
   Rect free = layout_.world.inset(canvas.px(4));
   const auto* offered = std::get_if<NextOffered>(&state_);
@@ -392,7 +392,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   fill_rounded(list, layout_.footer, 0,
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
-              hint_color());
+              hint_color(*canvas.list.palette));
   if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   const auto* over = std::get_if<Over>(&state_);
   if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
@@ -423,10 +423,10 @@ std::string AngryBallsScreen::hint() const {
   return std::holds_alternative<WatchThrow>(state_) ? words_(Text::hint_flying) : std::string();
 }
 
-Color AngryBallsScreen::hint_color() const {
+Color AngryBallsScreen::hint_color(const Palette& palette) const {
   if (const auto* launcher = std::get_if<Launcher>(&state_))
-    return launcher->missed() ? palette::refused : palette::cream;
-  return std::holds_alternative<NextOffered>(state_) ? palette::allowed : palette::muted;
+    return launcher->missed() ? palette.refused : palette::cream;
+  return std::holds_alternative<NextOffered>(state_) ? palette.allowed : palette::muted;
 }
 
 std::string AngryBallsScreen::describe() const {

@@ -74,7 +74,7 @@ class AngryBallsScreen final : public Screen {
 
   void draw_trace(DrawList& list) const;
   std::string hint() const;
-  Color hint_color() const;
+  Color hint_color(const Palette& palette) const;
   std::string title() const;
   std::string next_label() const;
 

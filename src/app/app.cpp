@@ -90,6 +90,7 @@ const DrawList& App::draw() {
   do {
     if (font_.full()) font_.grow();
     list_.clear();
+    list_.palette = &Palette::of(session_.settings.get().colours);
     const bool calm = session_.calm();
     Canvas canvas{list_, font_, view_, calm, session_.settings.get().screen_shake && !calm};
     screen_->draw(canvas);

@@ -7,10 +7,19 @@
 
 namespace app {
 
-const BallLook ivory_ball{palette::ivory, palette::ivory_shade};
-const BallLook red_ball{palette::red, palette::red_shade};
-const BallLook wooden_ball{palette::wood, palette::wood_shade, 0.15f};
-const BallLook stone_ball{palette::stone, palette::stone_shade, 0.1f};
+BallLook look_of(BallKind kind, const Palette& palette) {
+  switch (kind) {
+    case BallKind::ivory:
+      return {palette::ivory, palette::ivory_shade};
+    case BallKind::red:
+      return {palette.ball, palette.ball_shade};
+    case BallKind::wooden:
+      return {palette::wood, palette::wood_shade, 0.15f};
+    case BallKind::stone:
+      break;
+  }
+  return {palette::stone, palette::stone_shade, 0.1f};
+}
 
 namespace {
 
@@ -61,6 +70,10 @@ void draw_ball(DrawList& list, Point center, float radius, const BallLook& look,
   const Point lamp = center + Point{light.x, light.y} * (radius * 0.62f);
   glow(list, lamp, radius * 0.34f, radius * 0.27f,
        faded(palette::glint, 0.9f * look.gloss * opacity));
+}
+
+void draw_ball(DrawList& list, Point center, float radius, BallKind kind, float opacity) {
+  draw_ball(list, center, radius, look_of(kind, *list.palette), opacity);
 }
 
 void draw_ball_shadow(DrawList& list, Point center, float radius) {

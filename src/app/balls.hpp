@@ -10,13 +10,13 @@ struct BallLook {
   Color shade;
   float gloss = 1;  ///< 0: matte
 };
-extern const BallLook ivory_ball;
-extern const BallLook red_ball;
-extern const BallLook wooden_ball;
-extern const BallLook stone_ball;
+
+enum class BallKind : std::uint8_t { ivory, red, wooden, stone };
+BallLook look_of(BallKind kind, const Palette& palette);
 
 /// A ball, lit from above and left.
 void draw_ball(DrawList& list, Point center, float radius, const BallLook& look, float opacity = 1);
+void draw_ball(DrawList& list, Point center, float radius, BallKind kind, float opacity = 1);
 /// What it darkens of the ground it lies on; drawn before every ball.
 void draw_ball_shadow(DrawList& list, Point center, float radius);
 

@@ -30,7 +30,7 @@ void BilliardsBar::resize(const View& view, const Rect& area) {
 void BilliardsBar::draw_player(Canvas& canvas, const Content& content, int player) const {
   const auto index = static_cast<std::size_t>(player);
   const bool on = content.on == player;
-  const Color accent = palette::accents[index];
+  const Color accent = canvas.list.palette->accents[index];
   const Rect box = players_[index];
   const float radius = canvas.px(10);
   if (on) {

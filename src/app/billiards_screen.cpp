@@ -322,7 +322,7 @@ void BilliardsScreen::draw(Canvas& canvas) const {
                              played_.practice().has_value()));
     else
       draw_invitation(canvas.list, viewport_, cue, on_lead(cue, pointer_, viewport_, view_),
-                      palette::accents[static_cast<std::size_t>(game().player())]);
+                      canvas.list.palette->accents[static_cast<std::size_t>(game().player())]);
   }
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
@@ -330,7 +330,7 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   bar_.draw(canvas, bar_content());
   if (played_.practice()) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
-              hint_color());
+              hint_color(*canvas.list.palette));
   if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
   if (question_) question_->dialog.draw(canvas);
@@ -343,19 +343,19 @@ void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
   const Obstruction obstruction = game().obstruction(on_grid(viewport_.to_world(pointer_)));
   if (obstruction == Obstruction::none) {
     draw_ball_shadow(list, pointer_, r);
-    draw_ball(list, pointer_, r, ivory_ball);
-    stroke_circle(list, pointer_, r * 1.8f, viewport_.px(2), palette::allowed);
+    draw_ball(list, pointer_, r, BallKind::ivory);
+    stroke_circle(list, pointer_, r * 1.8f, viewport_.px(2), canvas.list.palette->allowed);
     return;
   }
   // A dark ground first: the sign must stand out among red balls.
   fill_disc(list, pointer_, r * 2.1f, faded(palette::ink, 0.75f));
-  draw_ball(list, pointer_, r, ivory_ball, 0.6f);
-  dashed_circle(list, pointer_, r * 1.7f, viewport_.px(2.6), 8, palette::refused);
+  draw_ball(list, pointer_, r, BallKind::ivory, 0.6f);
+  dashed_circle(list, pointer_, r * 1.7f, viewport_.px(2.6), 8, canvas.list.palette->refused);
   const float arm = r * 0.8f;
   for (const float side : {-1.0f, 1.0f})
     line(list, pointer_ + Point{-arm, -arm * side}, pointer_ + Point{arm, arm * side},
          viewport_.px(3.4), rgb(0xc22a1c));
-  const TextStyle style{Face::bold, 16, palette::refused};
+  const TextStyle style{Face::bold, 16, canvas.list.palette->refused};
   const std::string words = words_(reason(obstruction));
   const Point above = pointer_ - Point{0, r * 1.8f + canvas.px(22)};
   pill(canvas, pill_box(canvas, above, table_area(), style, words), style, words);
@@ -379,13 +379,13 @@ std::string BilliardsScreen::hint() const {
   return std::holds_alternative<WatchShot>(state_) ? words_(Text::hint_watch) : std::string();
 }
 
-Color BilliardsScreen::hint_color() const {
+Color BilliardsScreen::hint_color(const Palette& palette) const {
   if (const auto* launcher = std::get_if<Launcher>(&state_))
-    return launcher->missed() ? palette::refused : palette::cream;
+    return launcher->missed() ? palette.refused : palette::cream;
   if (std::holds_alternative<PlaceBall>(state_)) {
     const bool free =
         game().obstruction(on_grid(viewport_.to_world(pointer_))) == Obstruction::none;
-    return free ? palette::allowed : palette::refused;
+    return free ? palette.allowed : palette.refused;
   }
   return palette::muted;
 }

@@ -75,7 +75,7 @@ class BilliardsScreen final : public Screen {
 
   void draw_cue_ball_in_hand(Canvas& canvas) const;
   std::string hint() const;
-  Color hint_color() const;
+  Color hint_color(const Palette& palette) const;
   BilliardsBar::Content bar_content() const;
 
   Words words_;

@@ -86,7 +86,7 @@ void Dialog::draw(Canvas& canvas) const {
       draw_marker(canvas.list, *line.player, column.cut_left(canvas.px(28)).center(),
                   canvas.px(11));
       column.cut_left(canvas.px(12));
-      accent = palette::accents[static_cast<std::size_t>(*line.player)];
+      accent = canvas.list.palette->accents[static_cast<std::size_t>(*line.player)];
     }
     label(canvas, column.cut_right(column.w / 2), {Face::black, 26, accent, Align::right},
           line.score);
@@ -105,7 +105,7 @@ void Dialog::draw_row(Canvas& canvas, Rect row, const Line& line) const {
       label(canvas, box, {Face::bold, 20, palette::cream, Align::center}, value);
       continue;
     }
-    const Color accent = palette::accents[player];
+    const Color accent = canvas.list.palette->accents[player];
     const TextStyle style{Face::bold, 20, accent};
     const float sign = canvas.px(30);
     const std::string name = elided(canvas, style, value, box.w - sign - canvas.px(8));

@@ -6,6 +6,7 @@
 
 #include "app/color.hpp"
 #include "app/geometry.hpp"
+#include "app/palette.hpp"
 
 namespace app {
 
@@ -29,6 +30,8 @@ struct Box {
 
 /// One frame, all of it: triangles over one texture, back to front.
 struct DrawList {
+  /// The colours that it is drawn with; never null.
+  const Palette* palette = &Palette::of(Colours::standard);
   std::vector<Vertex> vertices;
   std::vector<std::int32_t> indices;  ///< three a triangle
   std::vector<Box> boxes;

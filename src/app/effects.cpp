@@ -34,16 +34,16 @@ float fade(nanoseconds age, nanoseconds total) {
 
 }  // namespace
 
-void Effects::sink(carom::Vec2 from, carom::Vec2 hole, double radius, const BallLook& look) {
-  sinking_.push_back({from, hole, radius, look, {}});
+void Effects::sink(carom::Vec2 from, carom::Vec2 hole, double radius, BallKind kind) {
+  sinking_.push_back({from, hole, radius, kind, {}});
 }
 
-void Effects::burst(carom::Vec2 at, double radius, const BallLook& look, std::uint32_t id) {
-  bursting_.push_back({at, radius, look, id, {}});
+void Effects::burst(carom::Vec2 at, double radius, BallKind kind, std::uint32_t id) {
+  bursting_.push_back({at, radius, kind, id, {}});
 }
 
-void Effects::float_up(carom::Vec2 from, std::string text, Color color) {
-  floating_.push_back({from, std::move(text), color, {}});
+void Effects::float_up(carom::Vec2 from, std::string text, int player) {
+  floating_.push_back({from, std::move(text), player, {}});
 }
 
 void Effects::announce(std::string headline, std::string detail, std::optional<int> player) {
@@ -67,8 +67,9 @@ void Effects::draw_under_balls(DrawList& list, const Viewport& viewport) const {
   for (const Sinking& ball : sinking_) {
     const float t = progress(ball.age, sink_time);
     const carom::Vec2 at = ball.from + static_cast<double>(t) * (ball.hole - ball.from);
-    const BallLook look{mix(ball.look.base, palette::pocket, t),
-                        mix(ball.look.shade, palette::pocket, t), ball.look.gloss};
+    BallLook look = look_of(ball.kind, *list.palette);
+    look.base = mix(look.base, palette::pocket, t);
+    look.shade = mix(look.shade, palette::pocket, t);
     draw_ball(list, viewport.to_window(at), viewport.px(ball.radius) * (1 - 0.4f * t), look,
               1 - t * t);
   }
@@ -97,6 +98,7 @@ void Effects::shake(DrawList& list, std::size_t first, const Rect& area) const {
 
 void Effects::draw_burst(Canvas& canvas, const Viewport& viewport, const Bursting& ball) {
   DrawList& list = canvas.list;
+  const BallLook look = look_of(ball.kind, *list.palette);
   const float t = progress(ball.age, burst_time);
   const Point c = viewport.to_window(ball.at);
   const float r = viewport.px(ball.radius);
@@ -126,7 +128,7 @@ void Effects::draw_burst(Canvas& canvas, const Viewport& viewport, const Burstin
                                (size * (0.7f + 0.5f * any(4 + static_cast<std::uint32_t>(corner))));
     }
     stroke(list, shard, 1.5f, faded(palette::ink, 0.6f * opacity));
-    fill(list, shard, faded(mix(ball.look.base, ball.look.shade, any(7) * 0.7f), opacity));
+    fill(list, shard, faded(mix(look.base, look.shade, any(7) * 0.7f), opacity));
   }
 }
 
@@ -136,7 +138,8 @@ void Effects::draw_over_balls(Canvas& canvas, const Viewport& viewport, const Re
   for (const Floating& text : floating_) {
     const float t = progress(text.age, float_time);
     const float rise = canvas.px(48) * (canvas.calm ? 0.6f : 1 - (1 - t) * (1 - t));
-    const TextStyle style{Face::bold, 20, text.color, Align::center};
+    const Color accent = canvas.list.palette->accents[static_cast<std::size_t>(text.player)];
+    const TextStyle style{Face::bold, 20, accent, Align::center};
     Rect box =
         pill_box(canvas, viewport.to_window(text.from) - Point{0, rise}, table, style, text.text);
     // Points made at one place stand above each other.
@@ -163,7 +166,7 @@ void Effects::draw_announcement(Canvas& canvas, const Rect& table) const {
       middle, std::min(two_lines ? canvas.px(440) : alone, canvas.view.width - canvas.px(32)),
       height);
   const Color accent =
-      player ? palette::accents[static_cast<std::size_t>(*player)] : palette::brass;
+      player ? canvas.list.palette->accents[static_cast<std::size_t>(*player)] : palette::brass;
   fill_rounded(canvas.list, box.moved({0, canvas.px(4)}), canvas.px(16),
                faded(palette::shadow, opacity), canvas.px(16));
   fill_rounded(canvas.list, box, canvas.px(16), faded({14, 20, 25, 235}, opacity));

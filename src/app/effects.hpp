@@ -16,11 +16,11 @@ namespace app {
 class Effects {
  public:
   /// A ball of `radius` (world px) drops from where it was pocketed to the hole's centre.
-  void sink(carom::Vec2 from, carom::Vec2 hole, double radius, const BallLook& look);
+  void sink(carom::Vec2 from, carom::Vec2 hole, double radius, BallKind kind);
   /// A ball of `radius` (world px) breaks to pieces; `id` decides how they fly.
-  void burst(carom::Vec2 at, double radius, const BallLook& look, std::uint32_t id);
-  /// `text` floats up from a place in the world.
-  void float_up(carom::Vec2 from, std::string text, Color color);
+  void burst(carom::Vec2 at, double radius, BallKind kind, std::uint32_t id);
+  /// `text` floats up from a place in the world, in the colour of a player (0 or 1).
+  void float_up(carom::Vec2 from, std::string text, int player);
   /// A headline in the middle of the world, with a player's sign if it is about one; the next one
   /// replaces it. Empty detail: one line.
   void announce(std::string headline, std::string detail, std::optional<int> player);
@@ -42,20 +42,20 @@ class Effects {
     carom::Vec2 from;
     carom::Vec2 hole;
     double radius = 0;
-    BallLook look;
+    BallKind kind{};
     nanoseconds age{};
   };
   struct Bursting {
     carom::Vec2 at;
     double radius = 0;
-    BallLook look;
+    BallKind kind{};
     std::uint32_t id = 0;
     nanoseconds age{};
   };
   struct Floating {
     carom::Vec2 from;
     std::string text;
-    Color color;
+    int player = 0;
     nanoseconds age{};
   };
   struct Announcement {

@@ -19,11 +19,11 @@ void show_step(Effects& effects, Sounds& sounds, const billiards::Game& game, co
     const bool cue = event.ball == 0;
     effects.sink(event.position, table.holes[event.other].position,
                  cue ? carom::default_cue_radius : carom::default_radius,
-                 cue ? ivory_ball : red_ball);
+                 cue ? BallKind::ivory : BallKind::red);
     for (const billiards::Event& scored : game.events())
       if (scored.kind == billiards::EventKind::scored && scored.ball == event.ball)
         effects.float_up(event.position, words(Text::points, {words.number(scored.points)}),
-                         palette::accents[static_cast<std::size_t>(scored.player)]);
+                         scored.player);
   }
 }
 
@@ -33,8 +33,7 @@ void show_step(Effects& effects, Sounds& sounds, const angry_balls::Game& game,
   for (const angry_balls::Event& event : game.events()) {
     if (event.kind == angry_balls::EventKind::won) sounds.note({SoundKind::win});
     if (event.kind == angry_balls::EventKind::scored)
-      effects.float_up(event.position, words(Text::points, {words.number(event.points)}),
-                       palette::accents[0]);
+      effects.float_up(event.position, words(Text::points, {words.number(event.points)}), 0);
   }
 }
 
@@ -43,11 +42,11 @@ void show_balls(Effects& effects, Sounds& sounds, std::span<const carom::Event> 
   note_contacts(sounds, events, level, true);
   for (const carom::Event& event : events) {
     const carom::Ball& ball = level.balls[event.ball];
-    const BallLook& look = look_of(ball, ball.solidity, level);
+    const BallKind kind = kind_of(ball, ball.solidity, level);
     if (event.kind == carom::EventKind::destroyed)
-      effects.burst(event.position, ball.radius, look, event.ball);
+      effects.burst(event.position, ball.radius, kind, event.ball);
     else if (event.kind == carom::EventKind::pocketed)
-      effects.sink(event.position, level.holes[event.other].position, ball.radius, look);
+      effects.sink(event.position, level.holes[event.other].position, ball.radius, kind);
   }
 }
 

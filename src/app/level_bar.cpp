@@ -69,7 +69,7 @@ void LevelBar::draw_throws(Canvas& canvas, const Rect& box, int left) const {
   label(canvas, group, style, number);
   for (int i = 0; i < left; ++i) {
     const Point at{group.right() - radius - pitch * static_cast<float>(i), group.center().y};
-    draw_ball(canvas.list, at, radius, ivory_ball);
+    draw_ball(canvas.list, at, radius, BallKind::ivory);
     draw_angry_face(canvas.list, at, radius);
   }
 }

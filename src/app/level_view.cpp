@@ -164,16 +164,16 @@ void draw_armour(DrawList& list, Point c, float r, double breaking) {
 
 void draw_level_ball(DrawList& list, Point c, float r, const carom::Ball& ball,
                      double full_solidity, const carom::Scene& level) {
-  const BallLook& look = look_of(ball, full_solidity, level);
+  const BallKind kind = kind_of(ball, full_solidity, level);
   const bool enemy = ball.role == carom::Role::enemy;
   if (enemy) draw_horns(list, c, r);
   // A dark rim parts balls from hills and sky.
   fill_disc(list, c, r + std::max(r * 0.07f, 1.0f), faded(palette::ink, 0.7f));
-  draw_ball(list, c, r, look);
+  draw_ball(list, c, r, kind);
   if (enemy)
     draw_armour(list, c, r, breaking_speed(full_solidity, level));
   else if (!carom::is_lead(ball.role))
-    draw_texture(list, c, r, &look == &wooden_ball, ball.id);
+    draw_texture(list, c, r, kind == BallKind::wooden, ball.id);
   if (full_solidity < carom::infinite_solidity && ball.solidity < full_solidity)
     draw_cracks(list, c, r,
                 static_cast<float>(std::clamp(1 - ball.solidity / full_solidity, 0.0, 1.0)),
@@ -183,7 +183,7 @@ void draw_level_ball(DrawList& list, Point c, float r, const carom::Ball& ball,
 }
 
 /// An arrow at the top edge, over it, smaller the further up the ball is.
-void draw_high_ball(DrawList& list, const Rect& area, Point c, float r, const BallLook& look) {
+void draw_high_ball(DrawList& list, const Rect& area, Point c, float r, BallKind kind) {
   const float above = area.y - c.y;
   const float size =
       std::clamp(1 - above / (3 * area.h), 0.6f, 1.0f) * std::max({r, area.h * 0.03f, 10.0f});
@@ -195,17 +195,17 @@ void draw_high_ball(DrawList& list, const Rect& area, Point c, float r, const Ba
   fill(list, arrow, palette::brass_lit);
   const Point below = tip + Point{0, size * 2.3f};
   fill_disc(list, below, size * 0.8f, faded(palette::ink, 0.7f));
-  draw_ball(list, below, size * 0.7f, look);
+  draw_ball(list, below, size * 0.7f, kind);
 }
 
 }  // namespace
 
-const BallLook& look_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level) {
-  if (carom::is_lead(ball.role)) return ivory_ball;
-  if (ball.role == carom::Role::enemy) return red_ball;
+BallKind kind_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level) {
+  if (carom::is_lead(ball.role)) return BallKind::ivory;
+  if (ball.role == carom::Role::enemy) return BallKind::red;
   // What no single throw can break is stone.
   const bool wood = breaking_speed(full_solidity, level) <= games::max_launch_speed;
-  return wood ? wooden_ball : stone_ball;
+  return wood ? BallKind::wooden : BallKind::stone;
 }
 
 Viewport level_viewport(const Rect& area, const carom::Scene& level) {
@@ -233,7 +233,7 @@ void draw_level(DrawList& list, const Rect& area, const Viewport& viewport,
          faded(palette::ink, 0.8f));
     fill_disc(list, c, viewport.px(hole.radius), palette::pocket);
     dashed_circle(list, c, viewport.px(hole.radius) * 0.8f, viewport.px(1.5), 9,
-                  faded(palette::accents[1], 0.7f));
+                  faded(list.palette->accents[1], 0.7f));
   }
   if (!level.balls.empty()) draw_launch_post(list, viewport, level.balls[0]);
   for (const carom::Obstacle& wall : level.obstacles) draw_wall(list, viewport, wall);
@@ -253,7 +253,8 @@ void draw_level(DrawList& list, const Rect& area, const Viewport& viewport,
 void draw_level_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
                        const carom::Scene& level, const Motion& motion, double fraction) {
   draw_trails(list, viewport, world, motion, fraction, [&](const carom::Ball& ball) {
-    return mix(look_of(ball, level.balls[ball.id].solidity, level).base, palette::cream, 0.4f);
+    return mix(look_of(kind_of(ball, level.balls[ball.id].solidity, level), *list.palette).base,
+               palette::cream, 0.4f);
   });
 }
 
@@ -279,7 +280,7 @@ void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport
     const float r = viewport.px(ball.radius);
     const double full = level.balls[ball.id].solidity;
     if (c.y + r < area.y)
-      draw_high_ball(list, area, c, r, look_of(ball, full, level));
+      draw_high_ball(list, area, c, r, kind_of(ball, full, level));
     else
       draw_level_ball(list, c, r, ball, full, level);
   });

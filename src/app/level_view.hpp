@@ -25,6 +25,6 @@ void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport
                       double fraction);
 
 /// What a ball is made of; `full_solidity` is what it had at first.
-const BallLook& look_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level);
+BallKind kind_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level);
 
 }  // namespace app

@@ -8,7 +8,7 @@
 namespace app {
 
 void draw_marker(DrawList& list, int player, Point center, float radius, float opacity) {
-  const Color accent = palette::accents[static_cast<std::size_t>(player)];
+  const Color accent = list.palette->accents[static_cast<std::size_t>(player)];
   draw_marker(list, player, center, radius, faded(accent, opacity));
 }
 

@@ -1,9 +1,40 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "app/color.hpp"
 
-/// Every colour of the games: petrol felt, walnut, brass, on dark slate; a level at dusk.
-namespace app::palette {
+namespace app {
+
+/// Which colours tell apart what must be told apart; the others for players who see some alike.
+enum class Colours : std::uint8_t {
+  standard,
+  red_green,      ///< where red and green look alike
+  blue_yellow,    ///< where blue and yellow look alike
+  high_contrast,  ///< by brightness alone
+};
+
+/// The colours that carry meaning. No meaning is told by them alone: players have signs, enemies
+/// horns, what is refused a dashed outline.
+struct Palette {
+  Color ball;  ///< what is to be hit: reds, enemies
+  Color ball_shade;
+  Color felt;
+  Color felt_lit;
+  Color felt_dark;
+  Color cushion;
+  Color cushion_lit;
+  Color allowed;
+  Color refused;
+  std::array<Color, 2> accents;   ///< one a player
+  std::array<Color, 3> strength;  ///< of a launch, from calm to furious
+
+  static const Palette& of(Colours colours);
+};
+
+/// All others: walnut, brass, on dark slate; a level at dusk.
+namespace palette {
 
 inline constexpr Color slate_top = rgb(0x1c262e);
 inline constexpr Color slate_bottom = rgb(0x0e1418);
@@ -17,12 +48,6 @@ inline constexpr Color cream = rgb(0xf5ecd8);
 inline constexpr Color muted = rgb(0xb4c0c4);
 inline constexpr Color ink = rgb(0x14191d);  ///< text on an accent
 
-inline constexpr Color felt = rgb(0x0d5057);
-inline constexpr Color felt_lit = rgb(0x1f7b7c);
-inline constexpr Color felt_dark = rgb(0x083338);
-inline constexpr Color cushion = rgb(0x14666a);
-inline constexpr Color cushion_lit = rgb(0x2f9391);
-
 inline constexpr Color walnut_lit = rgb(0x8a5732);
 inline constexpr Color walnut = rgb(0x5f381d);
 inline constexpr Color walnut_dark = rgb(0x2b170b);
@@ -35,8 +60,6 @@ inline constexpr Color pocket = rgb(0x020303);
 
 inline constexpr Color ivory = rgb(0xfbf5e4);
 inline constexpr Color ivory_shade = rgb(0x8f8468);
-inline constexpr Color red = rgb(0xd0222c);
-inline constexpr Color red_shade = rgb(0x4d0710);
 inline constexpr Color wood = rgb(0xd9a766);
 inline constexpr Color wood_shade = rgb(0x5d3a1b);
 inline constexpr Color wood_ring = rgb(0x6b431f);
@@ -56,10 +79,6 @@ inline constexpr Color grass_dark = rgb(0x2f5f33);
 inline constexpr Color soil = rgb(0x5a4030);
 inline constexpr Color soil_dark = rgb(0x241914);
 
-inline constexpr Color allowed = rgb(0xa8e6a1);
-inline constexpr Color refused = rgb(0xff7a66);
+}  // namespace palette
 
-/// One accent a player, told apart by its marker's shape as well (markers.hpp).
-inline constexpr Color accents[2] = {rgb(0xf4b63f), rgb(0x74c7f2)};
-
-}  // namespace app::palette
+}  // namespace app

@@ -142,7 +142,7 @@ std::string ReplayList::describe(const Entry& entry) const {
 void ReplayList::draw(Canvas& canvas) const {
   const Rect all = canvas.view.area();
   fill_rounded(canvas.list, all, 0,
-               Paint::vertical(all, palette::felt_dark, palette::slate_bottom));
+               Paint::vertical(all, canvas.list.palette->felt_dark, palette::slate_bottom));
   Rect strip = all;
   strip = strip.cut_bottom(all.bottom() - foot_.y + canvas.px(4));
   fill_rounded(canvas.list, strip, 0,
@@ -170,7 +170,8 @@ void ReplayList::draw(Canvas& canvas) const {
     else
       foot.cut_right(std::min(canvas.px(380), foot.w) + canvas.px(row_gap));
   }
-  const TextStyle style{Face::regular, 18, message_.empty() ? palette::cream : palette::refused,
+  const TextStyle style{Face::regular, 18,
+                        message_.empty() ? palette::cream : canvas.list.palette->refused,
                         Align::center};
   label(canvas, foot, style,
         elided(canvas, style, message_.empty() ? words_(Text::hint_replays) : message_, foot.w));

@@ -339,8 +339,8 @@ void ReplayScreen::draw_bottom(Canvas& canvas) const {
   label(canvas, speed_label_, {Face::bold, 20, palette::cream, Align::center},
         words_(Text::times, {speeds[speed_].name}));
   label(canvas, turn_, {Face::bold, 17, palette::cream}, turn());
-  label(canvas, status_, {Face::bold, 17, status_color(), Align::right}, status());
-  const TextStyle hint{Face::regular, 16, message_.empty() ? palette::muted : palette::allowed,
+  label(canvas, status_, {Face::bold, 17, status_color(*list.palette), Align::right}, status());
+  const TextStyle hint{Face::regular, 16, message_.empty() ? palette::muted : list.palette->allowed,
                        Align::center};
   label(canvas, hint_, hint,
         elided(canvas, hint, message_.empty() ? words_(Text::hint_replay) : message_, hint_.w));
@@ -363,9 +363,9 @@ void ReplayScreen::draw_timeline(Canvas& canvas) const {
     const float to = x_of(turns[i].first_step + turns[i].steps);
     const bool reached = i < player_.reached_turns();
     const auto& wrong = player_.divergence();
-    const Color accent = wrong && i >= wrong->turn ? palette::refused
-                         : table ? palette::accents[static_cast<std::size_t>(turns[i].player)]
-                                 : palette::accents[i % 2];
+    const Color accent = wrong && i >= wrong->turn ? list.palette->refused
+                         : table ? list.palette->accents[static_cast<std::size_t>(turns[i].player)]
+                                 : list.palette->accents[i % 2];
     const Rect box{from, timeline_.y, std::max(to - from - 1, 1.0f), timeline_.h};
     fill_rounded(list, box, canvas.px(3), faded(accent, reached ? 0.55f : 0.2f));
     // What brought points has a lit top.
@@ -413,9 +413,9 @@ std::string ReplayScreen::status() const {
   return words_(complete_ ? Text::verified : Text::verifying);
 }
 
-Color ReplayScreen::status_color() const {
-  if (player_.divergence()) return palette::refused;
-  return complete_ ? palette::allowed : palette::muted;
+Color ReplayScreen::status_color(const Palette& palette) const {
+  if (player_.divergence()) return palette.refused;
+  return complete_ ? palette.allowed : palette::muted;
 }
 
 std::string ReplayScreen::describe() const {

@@ -49,7 +49,7 @@ class ReplayScreen final : public Screen {
   std::string score() const;
   std::string turn() const;
   std::string status() const;
-  Color status_color() const;
+  Color status_color(const Palette& palette) const;
 
   Words words_;
   Session& session_;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/aim_settings.hpp"
+#include "app/palette.hpp"
 #include "app/store.hpp"
 
 namespace app {
@@ -15,13 +16,6 @@ namespace app {
 enum class LanguageChoice : std::uint8_t { system, english, french };
 /// Less motion than the games like to show.
 enum class ReducedMotion : std::uint8_t { system, on, off };
-/// Which colours tell apart what must be told apart; the others for players who see some alike.
-enum class Colours : std::uint8_t {
-  standard,
-  red_green,      ///< where red and green look alike
-  blue_yellow,    ///< where blue and yellow look alike
-  high_contrast,  ///< by brightness alone
-};
 /// Who has the first turn of a game of billiards.
 enum class Breaks : std::uint8_t {
   player_1,

@@ -25,7 +25,7 @@ class TablePainter {
   void paint() {
     wood();
     sights();
-    fill_rounded(list_, around(cushion_width), px(7), palette::felt_dark);
+    fill_rounded(list_, around(cushion_width), px(7), list_.palette->felt_dark);
     for (const carom::Hole& hole : scene_.holes) pocket_leather(hole);
     bed();
     cushions();
@@ -129,10 +129,11 @@ class TablePainter {
 
   void bed() {
     const Rect play = around(0);
-    fill_rounded(list_, play, 0, palette::felt);
+    fill_rounded(list_, play, 0, list_.palette->felt);
     // A lamp hangs above the middle.
-    glow(list_, play.center(), play.w * 0.5f, play.h * 0.5f, faded(palette::felt_lit, 0.55f));
-    glow(list_, play.center(), play.w * 0.3f, play.h * 0.42f, faded(palette::felt_lit, 0.45f));
+    glow(list_, play.center(), play.w * 0.5f, play.h * 0.5f, faded(list_.palette->felt_lit, 0.55f));
+    glow(list_, play.center(), play.w * 0.3f, play.h * 0.42f,
+         faded(list_.palette->felt_lit, 0.45f));
     // The line and the spot that the cue ball and the rack start from.
     const Color chalk{245, 236, 216, 44};
     line(list_, at(scene_.width / 4, 0), at(scene_.width / 4, scene_.height), px(1.2), chalk);
@@ -159,9 +160,9 @@ class TablePainter {
     }
     const bool lit = inwards.x + inwards.y < 0;
     fill(list_, strip,
-         Paint(foot, lit ? palette::cushion : palette::felt_dark, a,
-               lit ? palette::cushion_lit : palette::cushion));
-    line(list_, a, b, px(1.2), faded(palette::cushion_lit, lit ? 1 : 0.75f));
+         Paint(foot, lit ? list_.palette->cushion : list_.palette->felt_dark, a,
+               lit ? list_.palette->cushion_lit : list_.palette->cushion));
+    line(list_, a, b, px(1.2), faded(list_.palette->cushion_lit, lit ? 1 : 0.75f));
   }
 
   void cushions() {
@@ -210,8 +211,8 @@ void draw_table(DrawList& list, const Viewport& viewport, const carom::Scene& sc
 
 void draw_table_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
                        const Motion& motion, double fraction) {
-  draw_trails(list, viewport, world, motion, fraction, [](const carom::Ball& ball) {
-    return ball.id == 0 ? palette::ivory : mix(palette::red, palette::cream, 0.25f);
+  draw_trails(list, viewport, world, motion, fraction, [&](const carom::Ball& ball) {
+    return ball.id == 0 ? palette::ivory : mix(list.palette->ball, palette::cream, 0.25f);
   });
 }
 
@@ -228,7 +229,7 @@ void draw_balls(DrawList& list, const Viewport& viewport, const carom::World& wo
   });
   each_ball([&](const carom::Ball& ball, Point center) {
     draw_ball(list, center, viewport.px(ball.radius),
-              carom::is_lead(ball.role) ? ivory_ball : red_ball);
+              carom::is_lead(ball.role) ? BallKind::ivory : BallKind::red);
   });
 }
 

@@ -285,9 +285,9 @@ void TitleScreen::draw(Canvas& canvas) const {
 void TitleScreen::draw_background(Canvas& canvas) const {
   DrawList& list = canvas.list;
   const Rect all = canvas.view.area();
-  fill_rounded(list, all, 0, Paint::vertical(all, palette::felt_dark, palette::felt));
+  fill_rounded(list, all, 0, Paint::vertical(all, list.palette->felt_dark, list.palette->felt));
   const Point lamp = art_.center();
-  glow(list, lamp, all.w * 0.75f, all.h * 0.9f, faded(palette::felt_lit, 0.85f));
+  glow(list, lamp, all.w * 0.75f, all.h * 0.9f, faded(list.palette->felt_lit, 0.85f));
 
   Rect wood = all;
   wood = wood.cut_bottom(canvas.px(rail));
@@ -318,7 +318,7 @@ void TitleScreen::draw_art(Canvas& canvas) const {
   for (int row = 0; row < rows; ++row)
     for (int n = 0; n <= row; ++n) draw_ball_shadow(list, red(row, n), r);
   for (int row = 0; row < rows; ++row)
-    for (int n = 0; n <= row; ++n) draw_ball(list, red(row, n), r, red_ball);
+    for (int n = 0; n <= row; ++n) draw_ball(list, red(row, n), r, BallKind::red);
 
   const Point cue = apex + Point{-r * 4.0f, r * 2.9f};
   const float cue_radius = r * 3.1f;
@@ -331,7 +331,7 @@ void TitleScreen::draw_art(Canvas& canvas) const {
          Paint(tail, faded(palette::cream, 0), head, faded(palette::cream, 0.5f)));
   }
   draw_ball_shadow(list, cue, cue_radius);
-  draw_ball(list, cue, cue_radius, ivory_ball);
+  draw_ball(list, cue, cue_radius, BallKind::ivory);
   draw_angry_face(list, cue, cue_radius);
 }
 

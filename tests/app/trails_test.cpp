@@ -75,7 +75,7 @@ TEST(Shake, LastsAsLongAsABallBreaksAndShowsNoEdge) {
     return list.vertices;
   };
   EXPECT_EQ(shaken()[1].position, (app::Point{100, 50}));
-  effects.burst({400, 200}, 20, app::red_ball, 3);
+  effects.burst({400, 200}, 20, app::BallKind::red, 3);
   for (int i = 0; i < 17; ++i) {
     effects.advance(20ms);
     const auto at = shaken();
