@@ -7,11 +7,15 @@
 #include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
 #include "app/level_menu.hpp"
+#include "app/links.hpp"
 #include "app/load_screen.hpp"
 #include "app/replay_list.hpp"
 #include "app/replay_screen.hpp"
 #include "app/settings_screen.hpp"
 #include "app/title_screen.hpp"
+#include "replay/level_text.hpp"
+#include "replay/replay_file.hpp"
+#include "replay/replay_text.hpp"
 
 namespace app {
 
@@ -26,11 +30,13 @@ std::vector<Level> with_shipped(std::vector<Level> own) {
 }  // namespace
 
 App::App(StartLanguage start, int width, int height, Store& store, Clipboard& clipboard,
-         std::vector<Level> levels)
+         std::vector<Level> levels, Surroundings surroundings)
     : words_(start.language),
-      session_(store, clipboard, with_shipped(std::move(levels))),
+      store_(store),
+      session_(store, clipboard, with_shipped(std::move(levels)), std::move(surroundings)),
       view_(View::of(width, height)) {
   session_.system_language = start.language;
+  session_.system_reduced_motion = session_.surroundings.reduced_motion;
   if (start.asked) session_.asked_language = start.language;
   words_.speak(language_of(session_));
   words_.name_players(session_.settings.get().names);
@@ -84,6 +90,45 @@ void App::iterate(nanoseconds elapsed) {
 void App::watch(replay::Replay replay) {
   session_.to_watch = std::move(replay);
   go(Transition::replay);
+}
+
+void App::open_link(std::string_view link) {
+  if (const auto text = behind(links::replay, link)) {
+    auto read = replay::read_text(*text);
+    if (read) return watch(std::move(read).value());
+    refuse(Text::link_refused,
+           words_(fault_of(read.errors()) == ReplayFault::other_version ? Text::paste_other_version
+                                                                        : Text::link_damaged));
+  } else if (const auto level = behind(links::level, link)) {
+    const auto read = replay::read_level_text(*level);
+    if (read) return play(level_of(read.value()));
+    refuse(Text::link_refused, words_(Text::link_damaged));
+  }
+}
+
+void App::open_file(const std::string& name, const std::string& bytes) {
+  if (auto read = replay::read_replay(bytes)) return watch(std::move(read).value());
+  Level level = read_level(name, bytes);
+  if (!level.scene) return refuse(Text::file_refused, level.problem);
+  // Kept under a name that says what is in it: the same level again is no second one.
+  const std::string file = own_levels + level.identity + ".json";
+  const bool kept = store_.save_new(file, bytes).ok();
+  play(std::move(level));
+  if (!kept) session_.notice = Notice{words_(Text::level_not_kept), {}};
+}
+
+void App::play(Level level) {
+  Campaign& campaign = session_.campaign;
+  const auto index = campaign.find(level.identity);
+  campaign.current = index.value_or(campaign.levels.size());
+  if (!index) campaign.levels.push_back(std::move(level));
+  campaign.practice = false;
+  go(Transition::level);
+}
+
+void App::refuse(Text title, std::string line) {
+  session_.notice = Notice{words_(title), std::move(line)};
+  go(Transition::title);
 }
 
 const DrawList& App::draw() {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/font.hpp"
@@ -19,12 +20,18 @@ class App {
   /// The window's size in px. Store and clipboard must outlive this. `levels`: what the player has
   /// beside the shipped ones.
   App(StartLanguage start, int width, int height, Store& store, Clipboard& clipboard,
-      std::vector<Level> levels = {});
+      std::vector<Level> levels = {}, Surroundings surroundings = {});
 
   void event(const Input& input);
   void iterate(nanoseconds elapsed);
   /// Shows a replay; closing it leads back to what was on screen.
   void watch(replay::Replay replay);
+  /// Opens what a link carries behind the address, "#replay=TEXT" or "#level=TEXT"; tells the
+  /// player if it is wrong. A link without either changes nothing.
+  void open_link(std::string_view link);
+  /// Opens a file: a replay is shown; a level is put beside the others, kept, and played. Tells the
+  /// player if it is neither. `name`: for messages and for keeping it.
+  void open_file(const std::string& name, const std::string& bytes);
   /// The picture now; good until the next call.
   const DrawList& draw();
   /// The picture's texture, as of the last draw().
@@ -50,8 +57,11 @@ class App {
   void resume();
   bool presses_button(const Input& input) const;
   void mute();
+  void play(Level level);
+  void refuse(Text title, std::string line);
 
   Words words_;
+  Store& store_;
   Session session_;
   View view_;
   Font font_;

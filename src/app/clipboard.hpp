@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace app {
@@ -9,8 +10,8 @@ class Clipboard {
  public:
   virtual ~Clipboard() = default;
 
-  /// Empty if there is none, or no text in it.
-  virtual std::string text() = 0;
+  /// Empty if there is none, or no text in it. None: it was asked for, and comes with Key::paste.
+  virtual std::optional<std::string> text() = 0;
   /// Tells whether it worked.
   virtual bool set_text(const std::string& text) = 0;
 };
@@ -18,7 +19,7 @@ class Clipboard {
 /// Shares with nobody: for tests and scripts.
 class MemoryClipboard final : public Clipboard {
  public:
-  std::string text() override { return text_; }
+  std::optional<std::string> text() override { return text_; }
   bool set_text(const std::string& text) override {
     text_ = text;
     return true;

@@ -1,7 +1,5 @@
 #include "app/level.hpp"
 
-#include <filesystem>
-
 #include "app/embedded.hpp"
 #include "carom/fnv1a.hpp"
 #include "carom/scene_file.hpp"
@@ -16,6 +14,9 @@ carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes)
   return games::angry_balls::read_level(bytes.value());
 }
 
+/// "a" for "a.json".
+std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
 std::string identity_of(const carom::Scene& scene) {
   carom::Fnv1a hash;
   hash.add(carom::write_scene(scene));
@@ -25,7 +26,7 @@ std::string identity_of(const carom::Scene& scene) {
 }  // namespace
 
 Level read_level(const std::string& file, const carom::Result<std::string>& bytes) {
-  Level level{std::filesystem::path(file).stem().string(), sound_level(bytes), {}, {}};
+  Level level{stem(file), sound_level(bytes), {}, {}};
   if (!level.scene) {
     level.problem = carom::to_string(level.scene.errors().front(), file);
     return level;
@@ -43,6 +44,18 @@ std::vector<Level> shipped_levels() {
   for (const Embedded& file : shipped_files)
     levels.push_back(
         read_level(std::string(file.name), std::string(file.bytes.begin(), file.bytes.end())));
+  return levels;
+}
+
+std::vector<Level> kept_levels(Store& store) {
+  std::vector<Level> levels;
+  for (const std::string& name : store.list(own_levels)) {
+    const auto text = store.load(name);
+    const carom::Error gone{.pointer = {}, .problem = "is not there any more"};
+    const std::string file = name.substr(own_levels.size());
+    levels.push_back(!text ? read_level(file, text.errors())
+                           : read_level(file, text.value() ? carom::Result(*text.value()) : gone));
+  }
   return levels;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/store.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
 
@@ -25,5 +26,11 @@ Level level_of(const carom::Scene& scene);
 
 /// The levels that are part of the program, in order.
 std::vector<Level> shipped_levels();
+
+/// The folder of the store with the player's own levels.
+inline const std::string own_levels = "levels/";
+
+/// The player's own levels, by name. What cannot be read is a level that cannot be played.
+std::vector<Level> kept_levels(Store& store);
 
 }  // namespace app

@@ -111,10 +111,11 @@ Transition ReplayList::choose(std::size_t button) {
 }
 
 Transition ReplayList::paste() {
-  const auto fault = take_pasted(session_);
-  if (!fault) return Transition::replay;
-  message_ = words_(*fault == ReplayFault::other_version ? Text::paste_other_version
-                                                         : Text::paste_damaged);
+  const Pasted pasted = take_pasted(session_);
+  if (pasted == Pasted::replay) return Transition::replay;
+  if (pasted != Pasted::later)
+    message_ =
+        words_(pasted == Pasted::other_version ? Text::paste_other_version : Text::paste_damaged);
   return Transition::stay;
 }
 

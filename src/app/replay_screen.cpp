@@ -10,7 +10,6 @@
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 #include "app/table_view.hpp"
-#include "replay/replay_text.hpp"
 
 namespace app {
 namespace {
@@ -271,7 +270,7 @@ void ReplayScreen::save() {
 }
 
 void ReplayScreen::copy() {
-  const bool copied = session_.clipboard.set_text(replay::write_text(player_.replay()));
+  const bool copied = session_.clipboard.set_text(shared_text(session_, player_.replay()));
   message_ = words_(copied ? Text::replay_copied : Text::replay_not_copied);
 }
 

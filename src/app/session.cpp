@@ -1,6 +1,8 @@
 #include "app/session.hpp"
 
+#include "app/links.hpp"
 #include "replay/replay_file.hpp"
+#include "replay/replay_text.hpp"
 
 namespace app {
 
@@ -23,11 +25,21 @@ games::billiards::Options options_of(const Session& session) {
           .keep_turn = settings.keep_turn};
 }
 
-std::optional<ReplayFault> take_pasted(Session& session) {
-  auto read = replay::read_replay(session.clipboard.text());
-  if (!read) return fault_of(read.errors());
+Pasted take_pasted(Session& session) {
+  const auto text = session.clipboard.text();
+  if (!text) return Pasted::later;
+  auto read = replay::read_replay(behind(links::replay, *text).value_or(*text));
+  if (!read)
+    return fault_of(read.errors()) == ReplayFault::other_version ? Pasted::other_version
+                                                                 : Pasted::damaged;
   session.to_watch = std::move(read).value();
-  return std::nullopt;
+  return Pasted::replay;
+}
+
+std::string shared_text(const Session& session, const replay::Replay& replay) {
+  const std::string text = replay::write_text(replay);
+  const std::string& prefix = session.surroundings.link_prefix;
+  return prefix.empty() ? text : prefix + std::string(links::replay) + text;
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 #include "app/saved_replays.hpp"
 #include "app/settings.hpp"
 #include "app/sound.hpp"
+#include "app/surroundings.hpp"
 #include "app/text.hpp"
 #include "replay/recorder.hpp"
 
@@ -20,15 +21,22 @@ namespace app {
 using BilliardsRecorder = replay::Recorder<games::billiards::Game>;
 using LevelRecorder = replay::Recorder<games::angry_balls::Game>;
 
+/// Something that went wrong, to be told on the title screen.
+struct Notice {
+  std::string title;
+  std::string line;
+};
+
 /// What the screens share and hand on to each other.
 struct Session {
   /// Store and clipboard must outlive this.
-  Session(Store& store, Clipboard& shared, std::vector<Level> levels)
+  Session(Store& store, Clipboard& shared, std::vector<Level> levels, Surroundings where = {})
       : campaign{std::move(levels), BestScores(store), 0},
         kept(store),
         saved(store),
         settings(store),
-        clipboard(shared) {}
+        clipboard(shared),
+        surroundings(std::move(where)) {}
 
   /// Nothing moves for show only: no trails, no slow motion, no shaking.
   bool calm() const {
@@ -45,9 +53,11 @@ struct Session {
   Language system_language = Language::english;
   /// Asked for at this start: stronger than the settings, until the player changes them.
   std::optional<Language> asked_language;
-  std::optional<FinishedGame> last_game;   ///< of billiards, since the start
-  Sounds sounds;                           ///< noted and not yet played
-  bool system_reduced_motion = false;      ///< what the desktop or browser asks for
+  std::optional<FinishedGame> last_game;  ///< of billiards, since the start
+  Sounds sounds;                          ///< noted and not yet played
+  bool system_reduced_motion = false;     ///< what the desktop or browser asks for
+  Surroundings surroundings;
+  std::optional<Notice> notice;
   std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
   replay::Kind to_continue{};              ///< what Transition::load goes on with
   /// What Transition::resume goes on with.
@@ -59,7 +69,17 @@ Language language_of(const Session& session);
 /// What a new game of billiards is played by.
 games::billiards::Options options_of(const Session& session);
 
-/// Makes what the clipboard holds the replay to watch; or tells why it is none.
-std::optional<ReplayFault> take_pasted(Session& session);
+enum class Pasted : std::uint8_t {
+  replay,  ///< it is the replay to watch
+  later,   ///< it comes with Key::paste
+  damaged,
+  other_version,
+};
+
+/// Makes what the clipboard holds, a replay's text or a link to one, the replay to watch.
+Pasted take_pasted(Session& session);
+
+/// What copying a replay gives: its text, or a link to it.
+std::string shared_text(const Session& session, const replay::Replay& replay);
 
 }  // namespace app

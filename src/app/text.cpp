@@ -327,6 +327,15 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::hint_paused,
      {"Click, or press any key, to go on.", "Cliquez, ou une touche, pour continuer."}},
     {Text::paused_state, {"paused: {0}", "en pause : {0}"}},
+    {Text::open_file, {"Open a file", "Ouvrir un fichier"}},
+    {Text::link_refused, {"This link cannot be opened", "Ce lien est illisible"}},
+    {Text::link_damaged,
+     {"It is damaged, or not whole: copy it again.",
+      "Il est abîmé ou incomplet : copiez-le encore."}},
+    {Text::file_refused, {"This file cannot be opened", "Ce fichier est illisible"}},
+    {Text::level_not_kept,
+     {"The level could not be kept: it is gone after this game.",
+      "Le niveau n’a pas pu être gardé."}},
 }};
 
 struct LevelName {

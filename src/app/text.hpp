@@ -258,6 +258,11 @@ enum class Text : std::uint8_t {
   paused,
   hint_paused,
   paused_state,
+  open_file,
+  link_refused,
+  link_damaged,
+  file_refused,
+  level_not_kept,
   count,
 };
 

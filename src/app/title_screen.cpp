@@ -24,11 +24,15 @@ TitleScreen::TitleScreen(const Words& words, Session& session)
     : words_(words), session_(session), buttons_({}) {
   if (session.kept.of(Kind::billiards)) choices_.push_back(Choice::continue_billiards);
   if (session.kept.of(Kind::angry_balls)) choices_.push_back(Choice::continue_level);
-  for (const Choice choice : {Choice::billiards, Choice::practice_table, Choice::angry_balls,
-                              Choice::replays, Choice::settings, Choice::quit})
+  for (const Choice choice :
+       {Choice::billiards, Choice::practice_table, Choice::angry_balls, Choice::replays,
+        Choice::settings, session.surroundings.can_quit ? Choice::quit : Choice::open_file})
     choices_.push_back(choice);
   buttons_ = Buttons(std::vector<std::string>(choices_.size()), 0);
-  tell_refused();
+  if (const auto notice = std::exchange(session.notice, {}))
+    tell(notice->title, notice->line);
+  else
+    tell_refused();
 }
 
 std::string TitleScreen::label_of(Choice choice) const {
@@ -47,6 +51,8 @@ std::string TitleScreen::label_of(Choice choice) const {
       return words_(Text::replays);
     case Choice::settings:
       return words_(Text::settings);
+    case Choice::open_file:
+      return words_(Text::open_file);
     case Choice::quit:
       break;
   }
@@ -116,7 +122,7 @@ void TitleScreen::resize(const View& view) {
     const bool alone =
         choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
     const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
-                        choices_[i] == Choice::quit;
+                        choices_[i] == Choice::open_file || choices_[i] == Choice::quit;
     if (second) {
       row.cut_left(gap);
       buttons_.place(i, row);
@@ -132,12 +138,16 @@ Transition TitleScreen::event(const Input& input) {
     const auto chosen = question_->dialog.event(input);
     return chosen ? answer(*chosen) : Transition::stay;
   }
-  if (is_key(input, Key::escape)) return Transition::quit;
+  if (is_key(input, Key::escape))
+    return session_.surroundings.can_quit ? Transition::quit : Transition::stay;
   if (is_key(input, Key::settings)) return Transition::settings;
   if (is_key(input, Key::paste)) {
-    const auto fault = take_pasted(session_);
-    if (!fault) return Transition::replay;
-    paste_failed(*fault);
+    const Pasted pasted = take_pasted(session_);
+    if (pasted == Pasted::replay) return Transition::replay;
+    if (pasted != Pasted::later)
+      tell(words_(Text::paste_failed),
+           words_(pasted == Pasted::other_version ? Text::paste_other_version
+                                                  : Text::paste_damaged));
     return Transition::stay;
   }
   const auto chosen = buttons_.event(input);
@@ -193,6 +203,9 @@ Transition TitleScreen::proceed(Choice choice) {
       return Transition::replays;
     case Choice::settings:
       return Transition::settings;
+    case Choice::open_file:
+      session_.surroundings.choose_file();
+      return Transition::stay;
     case Choice::quit:
       break;
   }
@@ -232,15 +245,8 @@ void TitleScreen::tell_refused() {
   question_->dialog.resize(view_);
 }
 
-void TitleScreen::paste_failed(ReplayFault fault) {
-  question_ =
-      Question{Dialog(words_(Text::paste_failed),
-                      {{words_(fault == ReplayFault::other_version ? Text::paste_other_version
-                                                                   : Text::paste_damaged),
-                        {},
-                        {}}},
-                      {words_(Text::ok)}),
-               {}};
+void TitleScreen::tell(const std::string& title, const std::string& line) {
+  question_ = Question{Dialog(title, {{line, {}, {}}}, {words_(Text::ok)}), {}};
   question_->dialog.resize(view_);
 }
 
@@ -274,7 +280,8 @@ void TitleScreen::draw(Canvas& canvas) const {
   label(canvas, tagline_, {Face::regular, 20, palette::brass_lit, align}, words_(Text::tagline));
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
-                      choices_[i] == Choice::settings || choices_[i] == Choice::quit;
+                      choices_[i] == Choice::settings || choices_[i] == Choice::open_file ||
+                      choices_[i] == Choice::quit;
     const bool offers =
         choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
     buttons_.draw_one(canvas, i, half || offers ? 18 : 22);

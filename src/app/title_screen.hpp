@@ -35,6 +35,7 @@ class TitleScreen final : public Screen {
     angry_balls,
     replays,
     settings,
+    open_file,
     quit,
   };
   /// About what the dialog is: a kept game, by a new one of its kind; or nothing but OK.
@@ -47,7 +48,7 @@ class TitleScreen final : public Screen {
   Transition answer(std::size_t button);
   Transition proceed(Choice choice);
   void tell_refused();
-  void paste_failed(ReplayFault fault);
+  void tell(const std::string& title, const std::string& line);
   std::string offer(replay::Kind kind) const;
   std::string kept_level() const;
   std::string label_of(Choice choice) const;

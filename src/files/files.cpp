@@ -47,7 +47,7 @@ carom::Result<std::string> read(const std::filesystem::path& path) {
   const int reason = errno;
   if (file != stdin) std::fclose(file);
   if (failed) return trouble(std::string("cannot be read: ") + std::strerror(reason));
-  if (bytes.size() > max_file_size) return trouble("is larger than 4 GiB");
+  if (bytes.size() > max_file_size) return trouble("is larger than 2 GiB");
   return bytes;
 }
 

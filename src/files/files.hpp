@@ -15,7 +15,7 @@ namespace files {
 /// max_file_size.
 carom::Result<std::string> read(const std::filesystem::path& path);
 
-inline constexpr std::size_t max_file_size = std::size_t{4} << 30;  ///< bytes
+inline constexpr std::size_t max_file_size = std::size_t{2} << 30;  ///< bytes
 
 /// A file written so that its name never stands for half of it: the bytes go aside and take the
 /// name in commit(), after an fsync. Without commit() nothing has changed. "-" is standard output,

@@ -133,13 +133,20 @@ int play_in_window(const Options& options, app::StartLanguage language,
       levels.insert(levels.begin(), *folder / "levels");
   }
   app::Store& store = folder_store ? static_cast<app::Store&>(*folder_store) : forgetful;
-  const std::string problem =
-      platform::play_in_window(language, options.size.first, options.size.second, store,
-                               platform::read_levels(levels), std::move(replay));
-  if (problem.empty()) return done;
-  std::cerr << "angry-balls: no display: " << problem
-            << " (a script plays without one: --script FILE)\n";
-  return no_display;
+  const auto window = platform::open_window({.language = language,
+                                             .width = options.size.first,
+                                             .height = options.size.second,
+                                             .store = store,
+                                             .levels = platform::read_levels(levels)});
+  if (!window) {
+    std::cerr << "angry-balls: no display: " << window.errors().front().problem
+              << " (a script plays without one: --script FILE)\n";
+    return no_display;
+  }
+  platform::GameWindow& game = *window.value();
+  if (replay) game.app().watch(std::move(*replay));
+  while (game.iterate()) game.wait();
+  return done;
 }
 
 }  // namespace

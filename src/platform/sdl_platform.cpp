@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -12,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/app.hpp"
+#include "files/files.hpp"
 #include "platform/speaker.hpp"
 
 namespace platform {
@@ -22,8 +23,6 @@ using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
 constexpr int idle_wait_ms = 1000;
-constexpr int smallest_width = 480;
-constexpr int smallest_height = 360;
 /// Without vertical synchronisation, or unseen, a frame is still not drawn more often than this.
 constexpr nanoseconds least_frame = std::chrono::milliseconds{4};
 
@@ -61,9 +60,9 @@ struct Library {
 /// The clipboard of the desktop.
 class DesktopClipboard final : public app::Clipboard {
  public:
-  std::string text() override {
+  std::optional<std::string> text() override {
     const std::unique_ptr<char, decltype(&SDL_free)> text(SDL_GetClipboardText(), SDL_free);
-    return text ? text.get() : "";
+    return text ? text.get() : std::string();
   }
   bool set_text(const std::string& text) override {
     return SDL_SetClipboardText(text.c_str()) == 0;
@@ -121,41 +120,47 @@ std::optional<app::Key> key_of(const SDL_Keysym& key) {
   }
 }
 
-class Player {
+class SdlWindow final : public GameWindow {
  public:
-  Player(app::StartLanguage language, int width, int height, app::Store& store,
-         std::vector<app::Level> levels, std::optional<replay::Replay> replay)
+  explicit SdlWindow(WindowSetup setup)
       : window_(owned(SDL_CreateWindow("Angry Balls", SDL_WINDOWPOS_CENTERED,
-                                       SDL_WINDOWPOS_CENTERED, width, height,
+                                       SDL_WINDOWPOS_CENTERED, setup.width, setup.height,
                                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI))),
         renderer_(make_renderer()),
-        app_(language, width, height, store, clipboard_, std::move(levels)) {
-    SDL_SetWindowMinimumSize(window_.get(), smallest_width, smallest_height);
+        app_(setup.language, setup.width, setup.height, setup.store,
+             setup.clipboard ? *setup.clipboard : desktop_clipboard_, std::move(setup.levels),
+             std::move(setup.surroundings)) {
+    SDL_SetWindowMinimumSize(window_.get(), setup.least_width, setup.least_height);
     measure();
-    if (replay) app_.watch(std::move(*replay));
   }
 
-  void run() {
-    auto last = steady_clock::now();
-    bool stale = true;  // the picture shown is not the app's
-    while (!closed_ && !app_.quit_requested()) {
-      const bool waited = !stale && !app_.animating();
-      if (waited) SDL_WaitEventTimeout(nullptr, idle_wait_ms);
-      for (SDL_Event event; SDL_PollEvent(&event) != 0;) stale |= handle(event);
-      const auto now = steady_clock::now();
-      // What passed while nothing moved is no time of the game's.
-      if (!waited) app_.iterate(now - last);
-      last = now;
-      speaker_.play(app_.take_sounds(), app_.volume());
-      stale |= app_.animating();
-      if (!stale || closed_) continue;
+  app::App& app() override { return app_; }
+
+  bool iterate() override {
+    const bool idle = !stale_ && !app_.animating();
+    for (SDL_Event event; SDL_PollEvent(&event) != 0;) stale_ |= handle(event);
+    const auto now = steady_clock::now();
+    // What passed while nothing moved is no time of the game's.
+    if (!idle) app_.iterate(now - last_);
+    last_ = now;
+    speaker_.play(app_.take_sounds(), app_.volume());
+    stale_ |= app_.animating();
+    if (stale_ && !closed_) {
       show();
-      stale = app_.animating();
-      const auto spent = steady_clock::now() - now;
-      if (spent < least_frame)
-        SDL_Delay(static_cast<Uint32>(
-            std::chrono::ceil<std::chrono::milliseconds>(least_frame - spent).count()));
+      stale_ = app_.animating();
     }
+    return !closed_ && !app_.quit_requested();
+  }
+
+  void wait() override {
+    if (!stale_ && !app_.animating()) {
+      SDL_WaitEventTimeout(nullptr, idle_wait_ms);
+      return;
+    }
+    const auto spent = steady_clock::now() - last_;
+    if (spent < least_frame)
+      SDL_Delay(static_cast<Uint32>(
+          std::chrono::ceil<std::chrono::milliseconds>(least_frame - spent).count()));
   }
 
  private:
@@ -192,7 +197,11 @@ class Player {
         return false;
       case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) measure();
+        // What passed while nobody saw the game is no time of its either.
+        if (event.window.event == SDL_WINDOWEVENT_SHOWN) last_ = steady_clock::now();
         return true;
+      case SDL_DROPFILE:
+        return open_dropped(event.drop.file);
       case SDL_RENDER_TARGETS_RESET:
       case SDL_RENDER_DEVICE_RESET:
         texture_.reset();
@@ -255,6 +264,14 @@ class Player {
     return key.has_value();
   }
 
+  bool open_dropped(char* path) {
+    const std::filesystem::path file(path);
+    SDL_free(path);
+    const auto bytes = files::read(file);
+    if (bytes) app_.open_file(file.filename().string(), bytes.value());
+    return bytes.ok();
+  }
+
   bool press(std::optional<app::Key> key, int modifiers = KMOD_NONE) {
     if (key)
       app_.event(
@@ -298,14 +315,17 @@ class Player {
     uploaded_version_ = atlas.version;
   }
 
+  Library sdl_;
   Owned<SDL_Window> window_;
   Owned<SDL_Renderer> renderer_;
   Owned<SDL_Texture> texture_;
   int uploaded_side_ = 0;
   std::uint64_t uploaded_version_ = 0;
-  DesktopClipboard clipboard_;
+  DesktopClipboard desktop_clipboard_;
   Speaker speaker_;
   app::App app_;
+  steady_clock::time_point last_ = steady_clock::now();
+  bool stale_ = true;  ///< the picture shown is not the app's
   std::string title_;
   float across_ = 1;  ///< pixels a point of the window
   float down_ = 1;
@@ -314,14 +334,11 @@ class Player {
 
 }  // namespace
 
-std::string play_in_window(app::StartLanguage language, int width, int height, app::Store& store,
-                           std::vector<app::Level> levels, std::optional<replay::Replay> replay) {
+carom::Result<std::unique_ptr<GameWindow>> open_window(WindowSetup setup) {
   try {
-    const Library sdl;
-    Player(language, width, height, store, std::move(levels), std::move(replay)).run();
-    return {};
+    return std::unique_ptr<GameWindow>(std::make_unique<SdlWindow>(std::move(setup)));
   } catch (const std::runtime_error& error) {
-    return error.what();
+    return carom::Error{.pointer = {}, .problem = error.what()};
   }
 }
 

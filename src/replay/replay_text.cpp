@@ -1,15 +1,13 @@
 #include "replay/replay_text.hpp"
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
-#include <zlib.h>
 
 #include "carom/scene_file.hpp"
+#include "replay/packed_text.hpp"
 #include "replay/written_forms.hpp"
 
 namespace replay {
@@ -17,10 +15,7 @@ namespace replay {
 namespace {
 
 constexpr char format_version = 1;
-constexpr std::size_t header_bytes = 5;  // the version and a CRC-32
-constexpr std::string_view digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::size_t max_text = max_bytes / 3 * 4 + 4;
+constexpr std::string_view what = "a replay";
 
 // Numbers of moves take three bytes each in the payload, and packing makes less of them: the counts
 // of steps, and drags and places on the grid, zigzag (0, -1, 1, -2, … as 0, 1, 2, 3, …).
@@ -57,87 +52,7 @@ Form form_of(const Replay& replay) {
 constexpr std::size_t short_hash_bytes = 1;
 static_assert(short_hash_mask == (1 << 8 * short_hash_bytes) - 1);
 
-carom::Error damaged(std::string what) {
-  return {.problem = "is damaged: " + std::move(what),
-          .expected = "the text of a replay, whole and unchanged"};
-}
-
-// base64url (RFC 4648, section 5) without padding.
-std::string to_base64url(std::string_view bytes) {
-  std::string text;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char byte : bytes) {
-    bits = bits << 8 | static_cast<unsigned char>(byte);
-    for (count += 8; count >= 6; count -= 6) text += digits[bits >> (count - 6) & 63];
-  }
-  if (count > 0) text += digits[bits << (6 - count) & 63];
-  return text;
-}
-
-// Refuses what to_base64url() does not write, spare bits that are not zero included.
-std::optional<std::string> from_base64url(std::string_view text) {
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const std::size_t digit = digits.find(c);
-    if (digit == std::string_view::npos) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes += static_cast<char>(bits >> count & 0xff);
-  }
-  if (count >= 6 || (bits & ((1U << count) - 1)) != 0) return std::nullopt;
-  return bytes;
-}
-
-// zlib's raw deflate. What it gives may change with zlib's version; what inflate makes of it may
-// not.
-std::string deflated(std::string payload) {
-  z_stream stream{};
-  // Only a lack of memory could make these fail.
-  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL,
-               Z_DEFAULT_STRATEGY);
-  std::string packed(deflateBound(&stream, static_cast<uLong>(payload.size())), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(payload.data());
-  stream.avail_in = static_cast<uInt>(payload.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-// None unless the bytes are one whole stream of at most max_bytes. Never holds more than that.
-std::optional<std::string> inflated(std::string packed) {
-  z_stream stream{};
-  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return std::nullopt;
-  stream.next_in = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_in = static_cast<uInt>(packed.size());
-  std::string payload;
-  std::array<Bytef, 1 << 14> buffer;
-  int state = Z_OK;
-  while (state == Z_OK && payload.size() <= max_bytes) {
-    stream.next_out = buffer.data();
-    stream.avail_out = static_cast<uInt>(buffer.size());
-    state = inflate(&stream, Z_NO_FLUSH);
-    payload.append(reinterpret_cast<const char*>(buffer.data()), buffer.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  if (state != Z_STREAM_END || stream.avail_in > 0 || payload.size() > max_bytes)
-    return std::nullopt;
-  return payload;
-}
-
-std::uint32_t checksum(std::string_view version, std::string_view packed) {
-  uLong crc = crc32(0, nullptr, 0);
-  for (const std::string_view part : {version, packed})
-    crc = crc32(crc, reinterpret_cast<const Bytef*>(part.data()), static_cast<uInt>(part.size()));
-  return static_cast<std::uint32_t>(crc);
-}
+carom::Error damaged(std::string problem) { return damaged_text(std::move(problem), what); }
 
 // The payload, which docs/formats.md describes.
 class Writer {
@@ -226,10 +141,11 @@ class Reader {
     } else {
       replay.score[1] = points();
     }
-    const std::uint64_t count = whole();
-    if (count > max_moves)
-      return carom::Error{.problem = "has " + std::to_string(count) + " moves",
+    const std::uint64_t moves = whole();
+    if (moves > max_moves)
+      return carom::Error{.problem = "has " + std::to_string(moves) + " moves",
                           .expected = "at most " + std::to_string(max_moves)};
+    const auto count = static_cast<std::size_t>(moves);
     const std::string_view forms = take(count);
     if (wrong_) return damaged("it ends too early");
     replay.moves.resize(count);
@@ -308,46 +224,18 @@ class Reader {
 }  // namespace
 
 std::string write_text(const Replay& replay) {
-  const std::string version(1, format_version);
-  const std::string packed = deflated(Writer().write(replay));
-  const std::uint32_t crc = checksum(version, packed);
-  std::string bytes = version;
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(crc >> shift);
-  return to_base64url(bytes + packed);
+  return pack(format_version, Writer().write(replay));
 }
 
 carom::Result<Replay> read_text(std::string_view text) {
-  if (text.size() > max_text)
-    return carom::Error{.problem = "is longer than " + std::to_string(max_text) + " characters",
-                        .expected = "the text of a replay"};
-  const std::size_t foreign = text.find_first_not_of(digits);
-  if (foreign != std::string_view::npos)
-    return carom::Error{.problem = "is no text of a replay: its character " +
-                                   std::to_string(foreign + 1) + " does not belong there",
-                        .expected = "letters, digits, - and _ only"};
-  auto bytes = from_base64url(text);
-  if (!bytes || bytes->size() < header_bytes) return damaged("it is not whole");
-  if (bytes->front() != format_version)
-    return carom::Error{.problem = "is version " +
-                                   std::to_string(static_cast<unsigned char>(bytes->front())) +
-                                   " of the text of a replay",
-                        .expected = "version 1"};
-  std::uint32_t crc = 0;
-  for (std::size_t byte = 0; byte < 4; ++byte)
-    crc |= static_cast<std::uint32_t>(static_cast<unsigned char>((*bytes)[1 + byte])) << 8 * byte;
-  std::string packed = bytes->substr(header_bytes);
-  if (checksums_count && checksum(bytes->substr(0, 1), packed) != crc)
-    return damaged("its checksum is wrong");
-  const auto payload = inflated(std::move(packed));
-  if (!payload)
-    return damaged("it cannot be unpacked, or not into " + std::to_string(max_bytes) + " bytes");
-
-  auto replay = Reader(*payload).read();
+  const auto payload = unpack(text, format_version, what);
+  if (!payload) return payload.errors();
+  auto replay = Reader(payload.value()).read();
   if (!replay) return replay;
   carom::Errors errors = check(replay.value());
   if (!errors.empty()) return errors;
   // Every replay has one payload; the packing of it depends on zlib's version and is left out.
-  if (Writer().write(replay.value()) != *payload)
+  if (Writer().write(replay.value()) != payload.value())
     return damaged("it is not written as it should be");
   return replay;
 }

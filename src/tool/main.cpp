@@ -3,6 +3,7 @@
 
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
+#include "tool/level_link.hpp"
 #include "tool/quadtree.hpp"
 #include "tool/replay.hpp"
 #include "tool/simulate.hpp"
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   tool::add_check(carom, status);
   tool::add_replay(carom, status);
   tool::add_soak(carom, status);
+  tool::add_level_link(carom, status);
   tool::add_quadtree(carom, status);
   try {
     carom.parse(argc, argv);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace app {
+
+/// What is different where the game runs: as it is here in a window of a desktop.
+struct Surroundings {
+  /// Stands before "#replay=TEXT" in what is copied: a page's address. Empty: the bare text is.
+  std::string link_prefix;
+  bool reduced_motion = false;  ///< the desktop or browser asks for less that moves
+  bool can_quit = true;         ///< the player may end the program
+  /// Lets the player choose a file, which comes by App::open_file() later; offered instead of
+  /// quitting.
+  std::function<void()> choose_file;
+};
+
+}  // namespace app

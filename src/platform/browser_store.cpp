@@ -1,0 +1,120 @@
+#include "platform/browser_store.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <emscripten.h>
+#include <memory>
+#include <optional>
+
+// A script may be refused its storage, and every access then throws. What these give back is to be
+// freed.
+// clang-format off
+EM_JS(char*, browser_store_load, (const char* key), {
+  try {
+    const text = localStorage.getItem("angry-balls/" + UTF8ToString(key));
+    return text === null ? 0 : allocateUTF8(text);
+  } catch (error) {
+    return -1;
+  }
+})
+// Empty: it is saved; else why not.
+EM_JS(char*, browser_store_save, (const char* key, const char* text), {
+  try {
+    localStorage.setItem("angry-balls/" + UTF8ToString(key), UTF8ToString(text));
+    return allocateUTF8("");
+  } catch (error) {
+    return allocateUTF8(String(error.name));
+  }
+})
+EM_JS(int, browser_store_remove, (const char* key), {
+  try {
+    localStorage.removeItem("angry-balls/" + UTF8ToString(key));
+    return 1;
+  } catch (error) {
+    return 0;
+  }
+})
+// A name a line.
+EM_JS(char*, browser_store_list, (const char* folder), {
+  const start = "angry-balls/" + UTF8ToString(folder);
+  try {
+    const names = Object.keys(localStorage).filter(
+      (key) => key.startsWith(start) && key.endsWith(".json") && !key.includes("\n"));
+    return allocateUTF8(names.map((key) => key.slice("angry-balls/".length) + "\n").join(""));
+  } catch (error) {
+    return allocateUTF8("");
+  }
+})
+// clang-format on
+
+namespace platform {
+namespace {
+
+struct Free {
+  void operator()(char* text) const { std::free(text); }
+};
+using Text = std::unique_ptr<char, Free>;
+
+carom::Error trouble(const std::string& name, std::string problem) {
+  return {.pointer = name, .problem = std::move(problem)};
+}
+
+}  // namespace
+
+carom::Result<std::optional<std::string>> BrowserStore::load(const std::string& name) {
+  char* const found = browser_store_load(name.c_str());
+  if (reinterpret_cast<std::intptr_t>(found) == -1)
+    return trouble(name, "cannot be read: the browser allows no storage");
+  const Text text(found);
+  if (!text) return std::optional<std::string>();
+  std::string loaded = text.get();
+  if (loaded.size() > max_text) return trouble(name, "is larger than 16 MiB");
+  return std::optional(std::move(loaded));
+}
+
+carom::Status BrowserStore::save(const std::string& name, const std::string& text) {
+  const Text problem(browser_store_save(name.c_str(), text.c_str()));
+  if (*problem != '\0') return trouble(name, std::string("cannot be kept: ") + problem.get());
+  return carom::Done{};
+}
+
+carom::Result<bool> BrowserStore::save_new(const std::string& name, const std::string& text) {
+  const auto there = load(name);
+  if (!there) return there.errors();
+  if (there.value()) return false;
+  if (const auto saved = save(name, text); !saved) return saved.errors();
+  return true;
+}
+
+carom::Status BrowserStore::remove(const std::string& name) {
+  if (browser_store_remove(name.c_str()) == 0) return trouble(name, "cannot be removed");
+  return carom::Done{};
+}
+
+carom::Status BrowserStore::set_aside(const std::string& name) {
+  const auto text = load(name);
+  if (!text) return text.errors();
+  if (!text.value()) return carom::Done{};
+  std::string aside = name + ".broken";
+  for (int i = 2;; ++i) {
+    const auto saved = save_new(aside, *text.value());
+    if (!saved) return saved.errors();
+    if (saved.value()) return remove(name);
+    aside = name + ".broken-" + std::to_string(i);
+  }
+}
+
+std::vector<std::string> BrowserStore::list(const std::string& folder) {
+  const Text lines(browser_store_list(folder.c_str()));
+  std::vector<std::string> names;
+  std::string_view rest = lines.get();
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    names.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(end + 1);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace platform

@@ -1,0 +1,103 @@
+#include <cstdlib>
+#include <cstring>
+#include <emscripten.h>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "platform/browser_store.hpp"
+#include "platform/sdl_platform.hpp"
+
+// The page's script (web/page.js) starts this and calls the functions named web_….
+
+// clang-format off
+EM_JS(char*, page_language, (), { return allocateUTF8(navigator.language || ""); })
+EM_JS(char*, page_address, (), { return allocateUTF8(location.href.split("#")[0]); })
+EM_JS(bool, page_reduces_motion, (), {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+})
+EM_JS(void, page_copy, (const char* text), { Module.copy(UTF8ToString(text)); })
+EM_JS(void, page_ask_for_paste, (), { Module.askForPaste(); })
+EM_JS(void, page_choose_file, (), { Module.chooseFile(); })
+EM_JS(void, page_ready, (), { Module.ready(); })
+// clang-format on
+
+namespace {
+
+/// The page's clipboard, which cannot be read at once.
+class PageClipboard final : public app::Clipboard {
+ public:
+  std::optional<std::string> text() override {
+    if (pasted_) return std::exchange(pasted_, {});
+    page_ask_for_paste();
+    return std::nullopt;
+  }
+  bool set_text(const std::string& text) override {
+    page_copy(text.c_str());
+    return true;  // the page tells the player if it did not work
+  }
+  void paste(std::string text) { pasted_ = std::move(text); }
+
+ private:
+  std::optional<std::string> pasted_;
+};
+
+/// Takes over a text that an EM_JS function gives.
+std::string taken(char* text) {
+  const std::unique_ptr<char, decltype(&std::free)> owned(text, std::free);
+  return owned.get();
+}
+
+// They live as long as the page does.
+platform::BrowserStore store;
+PageClipboard clipboard;
+std::unique_ptr<platform::GameWindow> window;
+
+}  // namespace
+
+extern "C" {
+
+/// Memory for the texts below, which free it.
+EMSCRIPTEN_KEEPALIVE char* web_allocate(std::size_t size) {
+  return static_cast<char*>(std::malloc(size));
+}
+
+EMSCRIPTEN_KEEPALIVE void web_open_link(char* text, std::size_t size) {
+  if (window) window->app().open_link({text, size});
+  std::free(text);
+}
+
+/// `text`: the file's name, a zero, and its bytes.
+EMSCRIPTEN_KEEPALIVE void web_open_file(char* text, std::size_t size) {
+  const std::string name(text, strnlen(text, size));
+  const std::size_t begin = std::min(name.size() + 1, size);
+  if (window) window->app().open_file(name, std::string(text + begin, size - begin));
+  std::free(text);
+}
+
+EMSCRIPTEN_KEEPALIVE void web_paste(char* text, std::size_t size) {
+  clipboard.paste(std::string(text, size));
+  std::free(text);
+  if (window) window->app().event(app::KeyPressed{app::Key::paste});
+}
+
+}  // extern "C"
+
+int main() {
+  auto opened =
+      platform::open_window({.language = {app::language_of_locale(taken(page_language()))},
+                             .least_width = 1,  // the page is as large as it is
+                             .least_height = 1,
+                             .store = store,
+                             .clipboard = &clipboard,
+                             .levels = app::kept_levels(store),
+                             .surroundings = {.link_prefix = taken(page_address()),
+                                              .reduced_motion = page_reduces_motion(),
+                                              .can_quit = false,
+                                              .choose_file = page_choose_file}});
+  if (!opened) return 1;  // the page says that there is no WebGL
+  window = std::move(opened).value();
+  page_ready();
+  emscripten_set_main_loop([] { window->iterate(); }, 0, false);
+  return 0;
+}

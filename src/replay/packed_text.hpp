@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "carom/result.hpp"
+
+/// The outer form of texts for links (docs/formats.md): base64url of a version, a checksum and the
+/// packed payload.
+namespace replay {
+
+/// Letters, digits, '-' and '_' only. The packing depends on zlib's version.
+std::string pack(char version, std::string payload);
+
+/// The payload. Refuses a text that was not taken whole, or changed, or unpacks to more than
+/// max_bytes, and another version. `what` it is the text of, for messages: "a replay".
+carom::Result<std::string> unpack(std::string_view text, char version, std::string_view what);
+
+/// "is damaged: …"
+carom::Error damaged_text(std::string problem, std::string_view what);
+
+}  // namespace replay

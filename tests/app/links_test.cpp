@@ -1,0 +1,95 @@
+#include "app/links.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "app/player.hpp"
+#include "app/session.hpp"
+#include "replay/level_text.hpp"
+#include "replay/replay_file.hpp"
+#include "replay/replay_text.hpp"
+
+namespace {
+
+std::string content(const std::string& path) {
+  std::ifstream file(SOURCE_DIR "/" + path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const std::string own_level =
+    R"({"carom": 1, "name": "Mine", "width": 600, "height": 300, "gravity": 600, "balls": [
+      {"x": 100, "y": 12, "role": "projectile"}, {"x": 400, "y": 12, "role": "enemy", "solidity": 900}]})";
+
+struct Links : testing::Test {
+  app::MemoryStore store;
+  Player game{app::Language::english, 1280, 720, {}, store};
+};
+
+TEST_F(Links, ALinkToAReplayShowsItAndProvesIt) {
+  const auto replay = replay::read_replay(content("tests/replays/level-09-won.json")).value();
+  game.app().open_link("#replay=" + replay::write_text(replay));
+  game.wait_for("Verified");
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.says("title screen"));
+}
+
+TEST_F(Links, ALinkToALevelPlaysItAndKeepsNothing) {
+  const auto level = games::angry_balls::read_level(own_level).value();
+  game.app().open_link("#level=" + replay::write_level_text(level));
+  EXPECT_TRUE(game.says("Mine")) << game.title();
+  EXPECT_TRUE(store.list("levels/").empty());
+}
+
+TEST_F(Links, AWrongLinkIsToldOnTheTitleScreen) {
+  const std::string right = replay::write_text({});
+  const std::string long_one(1 << 20, 'A');
+  for (const std::string& link :
+       {"#replay=" + right.substr(1), std::string("#replay="), "#level=" + right,
+        std::string("#level=%00<script>"), "#replay=" + long_one, "#level=" + long_one}) {
+    game.app().open_link(link);
+    EXPECT_TRUE(game.says("This link cannot be opened")) << link.substr(0, 40) << game.title();
+    game.press("OK");
+    EXPECT_TRUE(game.says("title screen"));
+  }
+}
+
+TEST_F(Links, ALinkToNothingChangesNothing) {
+  game.press("Billiards");
+  const std::string before = game.title();
+  for (const char* link : {"", "#", "#else", "#Replay=x"}) game.app().open_link(link);
+  EXPECT_EQ(game.title(), before);
+}
+
+TEST_F(Links, AFileIsOpenedByWhatIsInIt) {
+  game.app().open_file("x.txt", content("tests/replays/level-09-won.txt"));
+  game.wait_for("Verified");
+  game.app().open_file("mine.json", own_level);
+  EXPECT_TRUE(game.says("Mine")) << game.title();
+  game.app().open_file("mine.json", own_level);
+  ASSERT_EQ(store.list("levels/").size(), 1U);
+  const auto kept = app::kept_levels(store);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept[0].name, "Mine");
+  for (const char* wrong : {"", "{}", "\xff\xfe", "[[[[", "no file of ours"}) {
+    game.app().open_file("wrong", wrong);
+    EXPECT_TRUE(game.says("This file cannot be opened")) << game.title();
+  }
+  EXPECT_EQ(store.list("levels/").size(), 1U);
+}
+
+TEST_F(Links, WhatIsCopiedIsALinkWhereThereIsAPage) {
+  app::Session session{store, game.clipboard(), {}};
+  session.surroundings.link_prefix = "https://example.org/x/";
+  const std::string text = replay::write_text({});
+  const std::string link = app::shared_text(session, {});
+  EXPECT_EQ(link, "https://example.org/x/#replay=" + text);
+  session.surroundings = {};
+  EXPECT_EQ(app::shared_text(session, {}), text);
+  // Either can be pasted anywhere.
+  for (const std::string& shared : {text, link}) {
+    game.clipboard().set_text(shared);
+    EXPECT_EQ(app::take_pasted(session), app::Pasted::replay);
+  }
+}
+
+}  // namespace

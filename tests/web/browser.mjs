@@ -1,0 +1,80 @@
+// What the browser tests share: a server of the page, a headless Chromium, and a page to play on.
+//   import { withPage, check } from "./browser.mjs";
+//   await withPage({ width: 1280, height: 720 }, async (game) => { await game.click(220, 383); … });
+
+import { spawn } from "node:child_process";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+export const folder = join(root, "build/web");
+const { chromium } = createRequire(join(root, "build/web-tests/package.json"))("playwright-core");
+
+const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  "--use-gl=swiftshader", "--enable-unsafe-swiftshader"];
+const patience = 60_000; // ms; only a test that fails waits so long
+
+export function check(condition, message) {
+  if (!condition) throw new Error(message);
+}
+
+async function startServer() {
+  const server = spawn("python3", [join(root, "web/serve.py"), folder, "0"],
+    { stdio: ["ignore", "pipe", "inherit"] });
+  const address = await new Promise((resolve, reject) => {
+    server.stdout.once("data", (line) => resolve(String(line).trim()));
+    server.once("exit", () => reject(new Error("the server does not start")));
+  });
+  return { address, stop: () => server.kill() };
+}
+
+// A page with the game in it. Places are in CSS pixels from the top left of the canvas, which fills
+// the page.
+class Game {
+  constructor(page, address) {
+    this.page = page;
+    this.address = address;
+    this.errors = [];
+    page.on("pageerror", (error) => this.errors.push(error.message));
+  }
+  async open(link = "") {
+    await this.page.goto(this.address + link);
+    await this.page.waitForSelector("body[data-ready]", { timeout: patience });
+  }
+  async at(x, y) {
+    const box = await this.page.locator("#canvas").boundingBox();
+    return [box.x + x, box.y + y];
+  }
+  async click(x, y) { await this.page.mouse.click(...await this.at(x, y)); }
+  async tap(x, y) { await this.page.touchscreen.tap(...await this.at(x, y)); }
+  async move(x, y) { await this.page.mouse.move(...await this.at(x, y)); }
+  async press(key) { await this.page.keyboard.press(key); }
+  // What the page says to those who do not see the canvas.
+  async live() { return this.page.locator("#live").textContent(); }
+  async waitFor(...texts) {
+    await this.page.waitForFunction(
+      (wanted) => wanted.some((text) => document.getElementById("live").textContent.includes(text)),
+      texts, { timeout: patience }).catch(async () => {
+      throw new Error(`waited for ${texts.join(" or ")}; the page says: ${await this.live()}`);
+    });
+    return this.live();
+  }
+}
+
+// `options`: width, height and whatever else a context of Playwright's takes (hasTouch, locale…).
+export async function withPage({ width = 1280, height = 720, ...options }, play) {
+  const server = await startServer();
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
+  try {
+    const context = await browser.newContext(
+      { viewport: { width, height }, locale: "en-GB", ...options });
+    const game = new Game(await context.newPage(), server.address);
+    await play(game, context);
+    check(game.errors.length === 0, `the page has errors: ${game.errors.join("; ")}`);
+  } finally {
+    await browser.close();
+    server.stop();
+  }
+}

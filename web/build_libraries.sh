@@ -1,0 +1,55 @@
+#!/bin/sh
+# What the browser build links with: SDL2 and zlib, built from Debian's source packages, and the
+# libraries that are headers only, since /usr/include itself is wrong for another processor.
+#   build_libraries.sh FOLDER
+# FOLDER becomes a prefix with include, lib and share. Done once; takes some four minutes.
+set -eu
+export NODE_PATH=/usr/share/nodejs # Debian's em++ finds its own modules by this only
+
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
+done_mark=$folder/done-3 # a new number whenever this script builds something else
+[ ! -e "$done_mark" ] || exit 0
+work=$folder/work
+rm -rf "${folder:?}"/*
+mkdir -p "$work/parts" "$work/lists/partial" "$work/cache/archives/partial" "$folder/include" \
+  "$folder/lib" "$folder/share/cmake"
+
+cp -r /usr/include/nlohmann /usr/include/CLI /usr/include/stb "$folder/include"
+cp -r /usr/share/cmake/nlohmann_json /usr/share/cmake/CLI11 "$folder/share/cmake"
+
+# The machine's own sources of Debian, asked for source packages, in a folder of ours.
+. /etc/os-release
+for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+  grep -Eqs "^[^#].*[[:space:]]$VERSION_CODENAME([[:space:]]|\$)" "$list" || continue
+  case $list in
+    *.list) sed -n "s/^deb\(.*[[:space:]]$VERSION_CODENAME\)/deb-src\1/p" "$list" \
+      >"$work/parts/$(basename "$list")" ;;
+    *.sources) sed 's/^Types:.*/Types: deb-src/' "$list" >"$work/parts/$(basename "$list")" ;;
+  esac
+done
+apt() {
+  apt-get -q -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$work/parts" \
+    -o "Dir::State::lists=$work/lists" -o "Dir::Cache=$work/cache" -o APT::Sandbox::User=root "$@"
+}
+apt update
+cd "$work"
+# The versions that the native programs are linked with: the same text, the same packed bytes.
+version() { dpkg-query -W -f='${source:Version}' "$1"; }
+apt source "libsdl2=$(version libsdl2-dev)"
+apt source "zlib=$(version zlib1g-dev)"
+
+cd "$work"/libsdl2-*/
+# Without drawing in software, which a page has no use for: half of SDL.
+emcmake cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_INSTALL_PREFIX="$folder" \
+  -DCMAKE_C_FLAGS=-DSDL_LEAN_AND_MEAN=1 -DSDL_TEST=OFF -DSDL_SHARED=OFF \
+  -DSDL_AUDIO=ON -DSDL_JOYSTICK=OFF -DSDL_HAPTIC=OFF -DSDL_SENSOR=OFF -DSDL_HIDAPI=OFF
+ninja -C build install
+cd "$work"/zlib-*/
+CHOST=emscripten CFLAGS=-Os emconfigure ./configure --static --prefix="$folder"
+emmake make -j"$(nproc)" libz.a
+cp zlib.h zconf.h "$folder/include"
+cp libz.a "$folder/lib"
+cd "$folder"
+rm -rf "$work"
+touch "$done_mark"
