@@ -124,9 +124,33 @@ auto count(const Range& range, const T& value, Projection projection = {}) {
       range, [&](const auto& element) { return std::invoke(projection, element) == value; });
 }
 
-template <class Range, class Predicate>
-bool none_of(const Range& range, Predicate predicate) {
-  return std::none_of(std::begin(range), std::end(range), predicate);
+template <class Range, class Predicate, class Projection = identity>
+bool any_of(const Range& range, Predicate predicate, Projection projection = {}) {
+  return std::any_of(std::begin(range), std::end(range), [&](const auto& element) {
+    return std::invoke(predicate, std::invoke(projection, element));
+  });
+}
+
+template <class Range, class Predicate, class Projection = identity>
+bool all_of(const Range& range, Predicate predicate, Projection projection = {}) {
+  return std::all_of(std::begin(range), std::end(range), [&](const auto& element) {
+    return std::invoke(predicate, std::invoke(projection, element));
+  });
+}
+
+template <class Range, class Predicate, class Projection = identity>
+bool none_of(const Range& range, Predicate predicate, Projection projection = {}) {
+  return std::none_of(std::begin(range), std::end(range), [&](const auto& element) {
+    return std::invoke(predicate, std::invoke(projection, element));
+  });
+}
+
+template <class Range, class Less = std::less<>, class Projection = identity>
+auto min_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::min_element(
+      std::begin(range), std::end(range), [&](const auto& left, const auto& right) {
+        return less(std::invoke(projection, left), std::invoke(projection, right));
+      });
 }
 
 template <class Range, class T, class Less = std::less<>, class Projection = identity>
@@ -139,6 +163,13 @@ auto upper_bound(Range&& range, const T& value, Less less = {}, Projection proje
 template <class Range, class Less = std::less<>, class Projection = identity>
 void sort(Range&& range, Less less = {}, Projection projection = {}) {
   std::sort(std::begin(range), std::end(range), [&](const auto& left, const auto& right) {
+    return less(std::invoke(projection, left), std::invoke(projection, right));
+  });
+}
+
+template <class Range, class Less = std::less<>, class Projection = identity>
+void stable_sort(Range&& range, Less less = {}, Projection projection = {}) {
+  std::stable_sort(std::begin(range), std::end(range), [&](const auto& left, const auto& right) {
     return less(std::invoke(projection, left), std::invoke(projection, right));
   });
 }
