@@ -7,6 +7,7 @@
 #include "app/label.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
+#include "app/widgets.hpp"
 #include "games/launch.hpp"
 
 namespace app {
@@ -216,8 +217,14 @@ Rect strength_meter(const View& view, const Rect& footer) {
                        : rest.cut_right(std::min(view.px(240), rest.w * 0.3f));
 }
 
+Rect shoot_button(const View& view, const Rect& footer) {
+  Rect rest = footer.inset(view.px(16), view.px(4));
+  if (view.narrow()) rest.cut_top(rest.h / 2);
+  return rest.cut_left(view.px(112));
+}
+
 void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& words,
-                 const std::string& hint, Color color) {
+                 const std::string& hint, Color color, bool shoot) {
   Rect rest = area.inset(canvas.px(16), canvas.px(4));
   if (aim && aim->active()) {
     const Rect meter = strength_meter(canvas.view, area);
@@ -226,6 +233,13 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& 
     else
       rest.cut_right(meter.w + canvas.px(16));
     draw_meter(canvas, meter, *aim, words);
+  }
+  if (shoot) {
+    const Rect box = shoot_button(canvas.view, area);
+    rest.cut_left(box.w + canvas.px(12));
+    Buttons button({words(Text::shoot)}, 0);
+    button.place(0, box);
+    button.draw(canvas, 18);
   }
   label(canvas, rest, {Face::regular, 18, color, Align::center}, hint);
 }

@@ -20,9 +20,12 @@ void draw_sling(DrawList& list, const Viewport& viewport, const carom::Ball& lea
 /// Where the strength stands in a footer, window px: the whole width means 0 to the greatest.
 Rect strength_meter(const View& view, const Rect& footer);
 
+/// Where a finger launches in a footer, window px.
+Rect shoot_button(const View& view, const Rect& footer);
+
 /// The line below the world: what the player can do now, and while a launch is aimed its angle and
-/// speed in numbers, and its strength on a bar up to the greatest.
+/// speed in numbers, and its strength on a bar up to the greatest. `shoot`: the button is there.
 void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& words,
-                 const std::string& hint, Color color);
+                 const std::string& hint, Color color, bool shoot = false);
 
 }  // namespace app

@@ -88,7 +88,10 @@ void AngryBallsScreen::place_parts() {
 Transition AngryBallsScreen::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
   const auto* press = std::get_if<PointerPressed>(&input);
-  if (press) pointer_ = press->at;
+  if (press) {
+    pointer_ = press->at;
+    touch_ = press->touch;
+  }
 
   auto* launcher = std::get_if<Launcher>(&state_);
   if (pace_.event(input, !question_ && !std::holds_alternative<Over>(state_) &&
@@ -116,7 +119,7 @@ Transition AngryBallsScreen::event(const Input& input) {
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      if (played_.practise(*command, aimed())) show_anew();
+      if (played_.practise(*command, edited())) show_anew();
       return Transition::stay;
     }
   }
@@ -158,12 +161,18 @@ void AngryBallsScreen::show_anew() {
 }
 
 bool AngryBallsScreen::on_button() const {
-  return bar_.has_button_at(pointer_) || (played_.practice() && strip_.has_button_at(pointer_));
+  return bar_.has_button_at(pointer_, touch_) ||
+         (played_.practice() && strip_.has_button_at(pointer_, touch_));
 }
 
-/// What is being aimed; null when nothing is.
-Aim* AngryBallsScreen::aimed() {
+/// What is being aimed, to be changed; null when nothing is.
+Aim* AngryBallsScreen::edited() {
   auto* launcher = std::get_if<Launcher>(&state_);
+  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
+}
+
+const Aim* AngryBallsScreen::aimed() const {
+  const auto* launcher = std::get_if<Launcher>(&state_);
   return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
 }
 
@@ -173,6 +182,7 @@ Launcher::Stage AngryBallsScreen::stage() const {
           .view = view_,
           .world = layout_.world,
           .meter = strength_meter(view_, layout_.footer),
+          .shoot = shoot_button(view_, layout_.footer),
           .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
           .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
@@ -207,7 +217,7 @@ Transition AngryBallsScreen::finish(std::size_t button) {
       return obey(UserBar::Command::restart);
     case watch:
       if (played_.practice()) {
-        if (played_.practise(TakeBack{}, aimed())) show_anew();
+        if (played_.practise(TakeBack{}, edited())) show_anew();
         return Transition::stay;
       }
       session_.to_watch = played_.recorder().replay();
@@ -218,7 +228,8 @@ Transition AngryBallsScreen::finish(std::size_t button) {
 }
 
 std::string AngryBallsScreen::next_label() const {
-  return words_(game().throws_left() > 0 ? Text::next_throw : Text::finish);
+  return words_(game().throws_left() > 0 ? Text::next_throw : Text::finish,
+                {session_.keyboard.name(Command::next)});
 }
 
 void AngryBallsScreen::follow_phase() {
@@ -292,6 +303,13 @@ bool AngryBallsScreen::moving() const {
   // A level left alone for an hour stands still rather than outgrow what can be kept and watched.
   return game().phase() == Phase::fly ||
          (game().phase() == Phase::offer && played_.recorder().has_room());
+}
+
+std::optional<Call> AngryBallsScreen::call() const {
+  if (question_ || pace_.paused() || !std::holds_alternative<Launcher>(state_)) return std::nullopt;
+  const carom::Ball projectile = game().world().ball(0);
+  return Call{viewport_.to_window(projectile.position), viewport_.px(projectile.radius),
+              nudge(session_.settings.get().aiming.way)};
 }
 
 bool AngryBallsScreen::animating() const {
@@ -370,7 +388,8 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
                previewer_.of(game().world(), launcher->aim, session_.settings.get().aiming,
                              played_.practice().has_value()));
     else
-      draw_invitation(list, viewport_, projectile, on_lead(projectile, pointer_, viewport_, view_),
+      draw_invitation(list, viewport_, projectile,
+                      !touch_ && on_lead(projectile, pointer_, viewport_, view_),
                       canvas.list.palette->accents[0]);
   }
   Rect free = layout_.world.inset(canvas.px(4));
@@ -392,7 +411,8 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   fill_rounded(list, layout_.footer, 0,
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
-              hint_color(*canvas.list.palette));
+              hint_color(*canvas.list.palette),
+              launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
   if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   const auto* over = std::get_if<Over>(&state_);
   if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
@@ -413,13 +433,15 @@ std::string AngryBallsScreen::hint() const {
   const bool idle = launcher ? !launcher->aim.active() && !launcher->missed()
                              : std::holds_alternative<WatchThrow>(state_);
   if (const auto& practice = played_.practice(); practice && practice->plan.active() && idle)
-    return words_(Text::hint_repeat, {practised(words_, practice->plan)});
+    return words_(Text::hint_repeat,
+                  {session_.keyboard.name(Command::again), practised(words_, practice->plan)});
   if (launcher)
     return words_(
-        aim_hint(*launcher, session_.settings.get().aiming.way,
+        aim_hint(*launcher, session_.settings.get().aiming.way, touch_,
                  {Text::hint_take_projectile, Text::hint_not_projectile, Text::hint_throw}));
   if (std::holds_alternative<NextOffered>(state_))
-    return words_(game().throws_left() > 0 ? Text::hint_next : Text::hint_finish);
+    return words_(game().throws_left() > 0 ? Text::hint_next : Text::hint_finish,
+                  {session_.keyboard.name(Command::next)});
   return std::holds_alternative<WatchThrow>(state_) ? words_(Text::hint_flying) : std::string();
 }
 

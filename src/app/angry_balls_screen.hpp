@@ -36,10 +36,13 @@ class AngryBallsScreen final : public Screen {
   Transition iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
+  std::optional<Call> call() const override;
   bool animating() const override;
 
   const games::angry_balls::Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return viewport_; }
+  /// What is being aimed; null when nothing is.
+  const Aim* aimed() const;
 
  private:
   // What the player is doing; it follows the game's phase.
@@ -67,7 +70,7 @@ class AngryBallsScreen final : public Screen {
   Transition obey(UserBar::Command command);
   Transition finish(std::size_t button);
   bool on_button() const;
-  Aim* aimed();
+  Aim* edited();
   Launcher::Stage stage() const;
   const carom::World& shown_world() const;
   bool moving() const;
@@ -100,6 +103,7 @@ class AngryBallsScreen final : public Screen {
   GameLayout layout_;
   Viewport viewport_;
   Point pointer_;
+  bool touch_ = false;  ///< a finger was the pointer
 };
 
 }  // namespace app

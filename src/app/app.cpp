@@ -6,12 +6,14 @@
 
 #include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
+#include "app/lesson.hpp"
 #include "app/level_menu.hpp"
 #include "app/links.hpp"
 #include "app/load_screen.hpp"
 #include "app/replay_list.hpp"
 #include "app/replay_screen.hpp"
 #include "app/settings_screen.hpp"
+#include "app/tip.hpp"
 #include "app/title_screen.hpp"
 #include "replay/level_text.hpp"
 #include "replay/replay_file.hpp"
@@ -25,6 +27,15 @@ std::vector<Level> with_shipped(std::vector<Level> own) {
   std::vector<Level> levels = shipped_levels();
   std::ranges::move(own, std::back_inserter(levels));
   return levels;
+}
+
+// A player who does nothing is told what to do, and now and then the ball catches the eye.
+constexpr nanoseconds nudge_after = std::chrono::seconds{20};
+constexpr nanoseconds nudge_time = std::chrono::seconds{4};
+
+float nudge_phase(nanoseconds quiet) {
+  using Parts = std::chrono::duration<float>;
+  return std::min(Parts(quiet % nudge_after).count() / Parts(nudge_time).count(), 1.0f);
 }
 
 }  // namespace
@@ -46,14 +57,32 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
 void App::event(const Input& input) {
   if (const auto* resized = std::get_if<Resized>(&input)) {
     view_ = View::of(resized->width, resized->height);
+    view_.touch = touch_;
     font_.clear();  // the sizes in use have changed
     screen_->resize(view_);
-  } else if (is_key(input, Key::m) && !screen_->typing()) {
-    mute();
-  } else {
-    if (presses_button(input)) session_.sounds.note({SoundKind::click});
-    go(screen_->event(input));
+    if (help_) help_->resize(view_);
+    return;
   }
+  quiet_ = nanoseconds{0};
+  if (const auto* finger = std::get_if<Finger>(&input)) {
+    for (const Input& meant : fingers_.event(*finger)) give(meant);
+  } else if (std::holds_alternative<PadPressed>(input) ||
+             std::holds_alternative<PadReleased>(input) ||
+             std::holds_alternative<PadMoved>(input) ||
+             std::holds_alternative<PadUnplugged>(input)) {
+    for (const Input& meant : pad_.event(input, steers())) give(meant);
+  } else if (help_) {
+    give(input);  // which wants the keys as they are pressed
+  } else if (const auto* pressed = std::get_if<KeyPressed>(&input)) {
+    const auto key = session_.keyboard.bindings.meaning(pressed->key);
+    if (key) give(KeyPressed{*key, pressed->shift, pressed->ctrl});
+  } else if (const auto* released = std::get_if<KeyReleased>(&input)) {
+    const auto key = session_.keyboard.bindings.meaning(released->key);
+    if (key) give(KeyReleased{*key});
+  } else {
+    give(input);
+  }
+  note_touch(input);
 }
 
 /// By what was drawn last, which is what the player sees.
@@ -82,9 +111,71 @@ std::vector<SoundEvent> App::take_sounds() {
   return sounds;
 }
 
+/// Buttons grow for fingers as soon as the first is lifted: nothing moves beneath one.
+void App::note_touch(const Input& input) {
+  if (std::holds_alternative<Finger>(input)) touch_ = true;
+  if (std::holds_alternative<PointerPressed>(input)) touch_ = false;
+  const bool held = !fingers_.none() || std::holds_alternative<PointerPressed>(input);
+  if (touch_ == view_.touch || held) return;
+  view_.touch = touch_;
+  screen_->resize(view_);
+  if (help_) help_->resize(view_);
+}
+
+void App::give(const Input& input) {
+  if (presses_button(input)) session_.sounds.note({SoundKind::click});
+  if (help_) {
+    if (std::holds_alternative<KeyReleased>(input)) go(screen_->event(input));
+    if (!help_->event(input)) help_.reset();
+    return;
+  }
+  const auto* typed = std::get_if<TextTyped>(&input);
+  const bool asks = typed && typed->text == "?" && !screen_->typing();
+  if (is_key(input, Key::help) || asks) {
+    go(screen_->event(PointerCancelled{}));  // nothing is held meanwhile
+    help_.emplace(words_, session_.keyboard);
+    help_->resize(view_);
+    return;
+  }
+  if (is_key(input, Key::m) && !screen_->typing())
+    mute();
+  else
+    give_to_screen(input);
+}
+
+void App::give_to_screen(const Input& input) {
+  const bool does =
+      std::holds_alternative<PointerPressed>(input) || std::holds_alternative<KeyPressed>(input) ||
+      std::holds_alternative<TextTyped>(input) || std::holds_alternative<WheelTurned>(input) ||
+      std::holds_alternative<Steered>(input);
+  if (does && screen_->call()) session_.teach = false;
+  go(screen_->event(input));
+}
+
 void App::iterate(nanoseconds elapsed) {
   toast_.advance(elapsed);
-  go(screen_->iterate(elapsed));
+  quiet_ += elapsed;
+  for (const Input& meant : pad_.advance(elapsed, steers())) {
+    quiet_ = nanoseconds{0};
+    give(meant);
+  }
+  if (!help_) go(screen_->iterate(elapsed));  // the game waits while help is read
+}
+
+bool App::animating() const {
+  if (pad_.held() || toast_.active()) return true;
+  if (help_) return false;
+  const bool calls = quiet_ >= nudge_after && quiet_ % nudge_after < nudge_time;
+  return screen_->animating() || (calls && session_.settings.get().hints && screen_->call());
+}
+
+void App::teach_beginners() {
+  const Campaign& campaign = session_.campaign;
+  session_.teach = !session_.kept.of(replay::Kind::billiards) &&
+                   !session_.kept.of(replay::Kind::angry_balls) && session_.saved.names().empty() &&
+                   std::ranges::none_of(campaign.levels, [&](const Level& level) {
+                     return campaign.best.of(level.identity).has_value();
+                   });
 }
 
 void App::watch(replay::Replay replay) {
@@ -139,6 +230,15 @@ const DrawList& App::draw() {
     const bool calm = session_.calm();
     Canvas canvas{list_, font_, view_, calm, session_.settings.get().screen_shake && !calm};
     screen_->draw(canvas);
+    const bool hints = session_.settings.get().hints;
+    if (const auto call = screen_->call(); call && !help_) {
+      if (session_.teach && hints)
+        draw_lesson(canvas, *call, words_);
+      else if (quiet_ >= nudge_after && hints)
+        draw_nudge(canvas, *call, nudge_phase(quiet_), words_);
+    }
+    if (help_) help_->draw(canvas);
+    draw_tip(canvas);
     toast_.draw(canvas);
   } while (font_.full());
   return list_;

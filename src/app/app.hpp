@@ -1,11 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/fingers.hpp"
 #include "app/font.hpp"
+#include "app/help.hpp"
+#include "app/pad.hpp"
 #include "app/screen.hpp"
 #include "app/session.hpp"
 #include "app/text.hpp"
@@ -24,6 +29,14 @@ class App {
 
   void event(const Input& input);
   void iterate(nanoseconds elapsed);
+  /// Time that passed while nothing moved and the platform slept.
+  void rest(nanoseconds elapsed) { quiet_ += elapsed; }
+  /// If nothing was ever saved, pictures tell how to shoot until something is done.
+  void teach_beginners();
+  /// What is printed on a letter's key; at first, as in the United States.
+  void name_keys(std::function<std::string(Key)> label) {
+    session_.keyboard.label = std::move(label);
+  }
   /// Shows a replay; closing it leads back to what was on screen.
   void watch(replay::Replay replay);
   /// Opens what a link carries behind the address, "#replay=TEXT" or "#level=TEXT"; tells the
@@ -38,9 +51,10 @@ class App {
   const Atlas& atlas() const { return font_.atlas(); }
 
   /// What is on screen, whose turn it is, scores and balls left, in one line: the window's title.
-  std::string describe() const { return screen_->describe(); }
+  std::string describe() const { return help_ ? help_->describe() : screen_->describe(); }
   /// The picture changes without input; otherwise the platform may sleep.
-  bool animating() const { return screen_->animating() || toast_.active(); }
+  bool animating() const;
+  const Screen& screen() const { return *screen_; }
 
   /// What is to be heard since the last call; nothing while muted.
   std::vector<SoundEvent> take_sounds();
@@ -53,6 +67,10 @@ class App {
   bool quit_requested() const { return quit_requested_; }
 
  private:
+  void give(const Input& input);
+  void give_to_screen(const Input& input);
+  void note_touch(const Input& input);
+  bool steers() const { return !help_ && screen_->call().has_value(); }
   void go(Transition transition);
   void resume();
   bool presses_button(const Input& input) const;
@@ -69,6 +87,11 @@ class App {
   Toast toast_;
   std::unique_ptr<Screen> screen_;
   std::unique_ptr<Screen> below_;  ///< kept while a replay is shown
+  std::optional<Help> help_;       ///< over the screen, which waits
+  Fingers fingers_;
+  Pad pad_;
+  bool touch_ = false;   ///< the last pointer was a finger
+  nanoseconds quiet_{};  ///< since the last input
   bool quit_requested_ = false;
 };
 

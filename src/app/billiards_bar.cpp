@@ -11,6 +11,7 @@ BilliardsBar::BilliardsBar(const Words& words) : words_(words) {}
 
 void BilliardsBar::resize(const View& view, const Rect& area) {
   relabel(words_(Text::restart), words_(Text::close), words_(Text::settings));
+  explain({words_(Text::tip_restart), words_(Text::tip_close), words_(Text::tip_settings)});
   const float gap = view.px(8);
   auto [row, rest] = place(view, area);
   if (view.narrow()) {

@@ -1,5 +1,6 @@
 #include "app/billiards_screen.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/aim_view.hpp"
@@ -63,7 +64,10 @@ void BilliardsScreen::resize(const View& view) {
 
 Transition BilliardsScreen::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
-  if (const auto* press = std::get_if<PointerPressed>(&input)) pointer_ = press->at;
+  if (const auto* press = std::get_if<PointerPressed>(&input)) {
+    pointer_ = press->at;
+    touch_ = press->touch;
+  }
 
   auto* launcher = std::get_if<Launcher>(&state_);
   if (pace_.event(input,
@@ -90,7 +94,7 @@ Transition BilliardsScreen::event(const Input& input) {
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      if (played_.practise(*command, aimed())) show_anew();
+      if (played_.practise(*command, edited())) show_anew();
       return Transition::stay;
     }
   }
@@ -98,6 +102,7 @@ Transition BilliardsScreen::event(const Input& input) {
     const auto chosen = over->dialog.event(input);
     return chosen ? finish(*chosen) : Transition::stay;
   }
+  if (std::holds_alternative<PlaceBall>(state_) && steer_place(input)) return Transition::stay;
   if (Buttons::move_focus({&bar_.buttons(), played_.practice() ? &strip_.buttons() : nullptr},
                           input))
     return Transition::stay;
@@ -114,12 +119,18 @@ Transition BilliardsScreen::event(const Input& input) {
 }
 
 bool BilliardsScreen::on_button() const {
-  return bar_.has_button_at(pointer_) || (played_.practice() && strip_.has_button_at(pointer_));
+  return bar_.has_button_at(pointer_, touch_) ||
+         (played_.practice() && strip_.has_button_at(pointer_, touch_));
 }
 
-/// What is being aimed; null when nothing is.
-Aim* BilliardsScreen::aimed() {
+/// What is being aimed, to be changed; null when nothing is.
+Aim* BilliardsScreen::edited() {
   auto* launcher = std::get_if<Launcher>(&state_);
+  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
+}
+
+const Aim* BilliardsScreen::aimed() const {
+  const auto* launcher = std::get_if<Launcher>(&state_);
   return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
 }
 
@@ -129,9 +140,54 @@ Launcher::Stage BilliardsScreen::stage() const {
           .view = view_,
           .world = layout_.world,
           .meter = strength_meter(view_, layout_.footer),
+          .shoot = shoot_button(view_, layout_.footer),
           .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
           .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
+}
+
+/// Arrows and sticks carry the ball in hand, Enter and Space put it down. Whether that was it.
+bool BilliardsScreen::steer_place(const Input& input) {
+  constexpr double key_way = 5;      // px
+  constexpr double fine_way = 1;     // px
+  constexpr double stick_way = 250;  // px a second
+  carom::Vec2 by;
+  if (const auto* key = std::get_if<KeyPressed>(&input)) {
+    const double way = key->shift || key->ctrl ? fine_way : key_way;
+    switch (key->key) {
+      case Key::left:
+        by.x = -way;
+        break;
+      case Key::right:
+        by.x = way;
+        break;
+      case Key::up:
+        by.y = way;
+        break;
+      case Key::down:
+        by.y = -way;
+        break;
+      case Key::enter:
+      case Key::space:
+        if (bar_.buttons().has_focus() || strip_.buttons().has_focus()) return false;
+        place(pointer_);
+        return true;
+      default:
+        return false;
+    }
+  } else if (const auto* steered = std::get_if<Steered>(&input)) {
+    const double way = stick_way * std::chrono::duration<double>(steered->time).count();
+    by = {way * static_cast<double>(steered->across), way * static_cast<double>(steered->up)};
+  } else {
+    return false;
+  }
+  bar_.buttons().blur();
+  strip_.buttons().blur();
+  const carom::Scene& table = game().world().scene();
+  const carom::Vec2 to = viewport_.to_world(pointer_) + by;
+  pointer_ = viewport_.to_window(
+      {std::clamp(to.x, 0.0, table.width), std::clamp(to.y, 0.0, table.height)});
+  return true;
 }
 
 void BilliardsScreen::place(Point at) {
@@ -184,7 +240,7 @@ void BilliardsScreen::show_anew() {
 Transition BilliardsScreen::finish(std::size_t button) {
   if (button != 1) return obey(button == 0 ? UserBar::Command::restart : UserBar::Command::close);
   if (played_.practice()) {
-    if (played_.practise(TakeBack{}, aimed())) show_anew();
+    if (played_.practise(TakeBack{}, edited())) show_anew();
     return Transition::stay;
   }
   session_.to_watch = played_.recorder().replay();
@@ -211,6 +267,8 @@ void BilliardsScreen::follow_phase() {
       if (!session_.calm()) foresight_.begin(game());
       break;
     case Phase::place:
+      // Keys and sticks find it on the table.
+      if (!table_area().contains(pointer_)) pointer_ = viewport_.to_window(billiards::cue_start);
       state_ = PlaceBall{};
       break;
     case Phase::over:
@@ -297,6 +355,15 @@ Dialog BilliardsScreen::result() const {
        words_(Text::back_to_title)}};
 }
 
+std::optional<Call> BilliardsScreen::call() const {
+  if (question_ || pace_.paused()) return std::nullopt;
+  const float radius = viewport_.px(game().world().ball(0).radius);
+  if (std::holds_alternative<PlaceBall>(state_)) return Call{pointer_, radius, Text::nudge_place};
+  if (!std::holds_alternative<Launcher>(state_)) return std::nullopt;
+  return Call{viewport_.to_window(game().world().ball(0).position), radius,
+              nudge(session_.settings.get().aiming.way)};
+}
+
 bool BilliardsScreen::animating() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
   return !question_ && !pace_.paused() &&
@@ -321,7 +388,8 @@ void BilliardsScreen::draw(Canvas& canvas) const {
                previewer_.of(game().world(), launcher->aim, session_.settings.get().aiming,
                              played_.practice().has_value()));
     else
-      draw_invitation(canvas.list, viewport_, cue, on_lead(cue, pointer_, viewport_, view_),
+      draw_invitation(canvas.list, viewport_, cue,
+                      !touch_ && on_lead(cue, pointer_, viewport_, view_),
                       canvas.list.palette->accents[static_cast<std::size_t>(game().player())]);
   }
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
@@ -330,7 +398,8 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   bar_.draw(canvas, bar_content());
   if (played_.practice()) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
-              hint_color(*canvas.list.palette));
+              hint_color(*canvas.list.palette),
+              launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
   if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
   if (question_) question_->dialog.draw(canvas);
@@ -366,9 +435,10 @@ std::string BilliardsScreen::hint() const {
   const bool idle = launcher ? !launcher->aim.active() && !launcher->missed()
                              : std::holds_alternative<WatchShot>(state_);
   if (const auto& practice = played_.practice(); practice && practice->plan.active() && idle)
-    return words_(Text::hint_repeat, {practised(words_, practice->plan)});
+    return words_(Text::hint_repeat,
+                  {session_.keyboard.name(Command::again), practised(words_, practice->plan)});
   if (launcher)
-    return words_(aim_hint(*launcher, session_.settings.get().aiming.way,
+    return words_(aim_hint(*launcher, session_.settings.get().aiming.way, touch_,
                            {Text::hint_take_cue_ball, Text::hint_not_cue_ball, Text::hint_shoot}));
   if (std::holds_alternative<PlaceBall>(state_)) {
     const Obstruction obstruction = game().obstruction(on_grid(viewport_.to_world(pointer_)));

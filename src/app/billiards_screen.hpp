@@ -36,10 +36,13 @@ class BilliardsScreen final : public Screen {
   Transition iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
+  std::optional<Call> call() const override;
   bool animating() const override;
 
   const games::billiards::Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return viewport_; }
+  /// What is being aimed; null when nothing is.
+  const Aim* aimed() const;
 
  private:
   // What the player is doing; it follows the game's phase.
@@ -68,8 +71,9 @@ class BilliardsScreen final : public Screen {
   Transition request(UserBar::Command command);
   Transition finish(std::size_t button);
   void place(Point at);
+  bool steer_place(const Input& input);
   bool on_button() const;
-  Aim* aimed();
+  Aim* edited();
   Launcher::Stage stage() const;
   Rect table_area() const;
 
@@ -98,6 +102,7 @@ class BilliardsScreen final : public Screen {
   GameLayout layout_;
   Viewport viewport_;
   Point pointer_;
+  bool touch_ = false;  ///< a finger was the pointer
 };
 
 }  // namespace app

@@ -56,6 +56,7 @@ std::optional<std::size_t> Dialog::event(const Input& input) {
 }
 
 void Dialog::draw(Canvas& canvas) const {
+  canvas.list.tip.reset();  // of what lies beneath
   fill_rounded(canvas.list, canvas.view.area(), 0, palette::scrim);
   canvas.list.covered = canvas.list.boxes.size();
   const float radius = canvas.px(16);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct Vertex {
 
 /// What a text or a button covers: for tests of the layout and for assistive tools.
 struct Box {
-  enum class Kind : std::uint8_t { text, button };
+  enum class Kind : std::uint8_t {
+    text,
+    button,
+    tip,  ///< stands for a moment over what is beneath
+  };
   Kind kind = Kind::text;
   Rect area;  ///< of a text, what its ink covers
   std::string text;
@@ -26,6 +31,12 @@ struct Box {
   // Of a button.
   bool focused = false;  ///< Enter and Space press it
   bool primary = false;  ///< Enter presses it as long as none has the focus
+};
+
+/// What a button does, for who points at it.
+struct Tip {
+  Rect button;  ///< window px
+  std::string text;
 };
 
 /// One frame, all of it: triangles over one texture, back to front.
@@ -36,12 +47,14 @@ struct DrawList {
   std::vector<std::int32_t> indices;  ///< three a triangle
   std::vector<Box> boxes;
   std::size_t covered = 0;  ///< so many boxes, the first, lie below a window that takes all input
+  std::optional<Tip> tip;   ///< to be drawn over all else
 
   void clear() {
     vertices.clear();
     indices.clear();
     boxes.clear();
     covered = 0;
+    tip.reset();
   }
   /// Adds a vertex and gives its index.
   std::int32_t add(Point position, Color color, Point texture = {}) {

@@ -20,6 +20,8 @@ constexpr double fine_speed = 1;  ///< px/s
 constexpr double key_degrees = 1;
 constexpr double key_speed = 10;                             ///< px/s
 constexpr double notch_speed = 50;                           ///< px/s
+constexpr double stick_degrees = 120;                        ///< a second
+constexpr double stick_speed = 1500;                         ///< px/s a second
 constexpr double charge_rate = games::max_launch_speed / 2;  ///< px/s a second
 
 /// How far one can go from a point inside the window along `way` (a unit vector), px.
@@ -83,9 +85,25 @@ Launcher::Outcome Launcher::event(const Input& input, const Stage& stage) {
   }
   if (const auto* pressed = std::get_if<PointerPressed>(&input)) {
     pointer_ = pressed->at;
-    if (pressed->button == PointerButton::left) return press(pressed->at, stage);
+    if (pressed->button == PointerButton::left) return press(pressed->at, pressed->touch, stage);
     if (!aim.active() || grip_ == Grip::turning) return Outcome::untouched;
     cancel();
+    return Outcome::taken;
+  }
+  if (std::holds_alternative<PointerCancelled>(input)) {
+    cancel();
+    return Outcome::untouched;
+  }
+  if (const auto* steered = std::get_if<Steered>(&input)) {
+    const double time = std::chrono::duration<double>(steered->time).count();
+    // Squared: a little of the stick is a little of a turn.
+    const auto across = static_cast<double>(steered->across * std::abs(steered->across));
+    const auto power = static_cast<double>(steered->power * std::abs(steered->power));
+    if (across == 0 && power == 0) return Outcome::untouched;
+    begin();
+    if (across != 0) aim.turn(-stick_degrees * time * across);
+    if (power != 0) aim.strengthen(stick_speed * time * power);
+    edited();
     return Outcome::taken;
   }
   if (const auto* released = std::get_if<PointerReleased>(&input))
@@ -170,7 +188,22 @@ Launcher::Outcome Launcher::key(const KeyPressed& key, const Stage& stage) {
   }
 }
 
-Launcher::Outcome Launcher::press(Point at, const Stage& stage) {
+/// A finger that comes down in the third way: it turns, and launches only on the lead.
+Launcher::Outcome Launcher::touch_to_turn(Point at, bool on_lead, const Stage& stage) {
+  if (on_lead && aim.active()) return launch();
+  missed_ = false;
+  if (on_lead) {
+    begin();
+    edited();
+    return Outcome::taken;
+  }
+  if (!stage.world.contains(at)) return Outcome::untouched;
+  rests_.reset();
+  move(at, stage);
+  return Outcome::taken;
+}
+
+Launcher::Outcome Launcher::press(Point at, bool touch, const Stage& stage) {
   if (stage.on_button) return Outcome::untouched;
   entry.reset();
   if (stage.way == AimWay::turn && grip_ != Grip::clicked && stage.meter.contains(at)) {
@@ -179,7 +212,10 @@ Launcher::Outcome Launcher::press(Point at, const Stage& stage) {
     move(at, stage);
     return Outcome::taken;
   }
+  if (offers_shot(stage.way, touch) && stage.shoot.contains(at)) return launch();
   const bool takes = on_lead(stage.lead, at, stage.viewport, stage.view);
+  if (touch && stage.way == AimWay::turn && grip_ != Grip::clicked)
+    return touch_to_turn(at, takes, stage);
   if (grip_ == Grip::clicked) {
     move(at, stage);
     const Outcome outcome = launch();
@@ -295,7 +331,8 @@ carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 middle) {
   return length * carom::unit(middle - from);
 }
 
-Text aim_hint(const Launcher& launcher, AimWay way, const AimHints& hints) {
+Text aim_hint(const Launcher& launcher, AimWay way, bool touch, const AimHints& hints) {
+  if (launcher.offers_shot(way, touch)) return Text::hint_touch_shoot;
   if (launcher.refused()) return Text::hint_too_weak;
   switch (launcher.stance()) {
     case Launcher::Stance::idle:
@@ -315,6 +352,18 @@ Text aim_hint(const Launcher& launcher, AimWay way, const AimHints& hints) {
       return Text::hint_entry;
   }
   return hints.take;
+}
+
+Text nudge(AimWay way) {
+  switch (way) {
+    case AimWay::clicks:
+      return Text::nudge_click;
+    case AimWay::pull:
+      return Text::nudge_pull;
+    case AimWay::turn:
+      break;
+  }
+  return Text::nudge_turn;
 }
 
 bool on_lead(const carom::Ball& lead, Point at, const Viewport& viewport, const View& view) {

@@ -26,6 +26,7 @@ class Launcher {
     View view;
     Rect world;  ///< window px, where the world is shown
     Rect meter;  ///< window px, the bar of the strength (strength_meter)
+    Rect shoot;  ///< window px, the button that launches (shoot_button)
     AimWay way = AimWay::pull;
     bool on_button = false;        ///< the pointer is on a button
     bool focus_elsewhere = false;  ///< a button has the keyboard's focus
@@ -65,6 +66,10 @@ class Launcher {
   bool missed() const { return missed_; }
   /// The last launch tried was too weak to move the ball.
   bool refused() const { return refused_; }
+  /// The button that launches is there: for a finger, which turns and then is lifted.
+  bool offers_shot(AimWay way, bool touch) const {
+    return touch && way == AimWay::turn && aim.active() && grip_ != Grip::clicked;
+  }
   /// While the lead is pulled: where to, window px.
   std::optional<Point> pulled_to() const;
 
@@ -81,7 +86,8 @@ class Launcher {
     sliding,  ///< the button is held on the meter
   };
   Outcome key(const KeyPressed& key, const Stage& stage);
-  Outcome press(Point at, const Stage& stage);
+  Outcome press(Point at, bool touch, const Stage& stage);
+  Outcome touch_to_turn(Point at, bool on_lead, const Stage& stage);
   void move(Point at, const Stage& stage);
   Outcome release(Point at, const Stage& stage);
   void begin();
@@ -110,7 +116,9 @@ struct AimHints {
   Text send;
 };
 /// What the player can do now.
-Text aim_hint(const Launcher& launcher, AimWay way, const AimHints& hints);
+Text aim_hint(const Launcher& launcher, AimWay way, bool touch, const AimHints& hints);
+/// What to tell a player who does nothing.
+Text nudge(AimWay way);
 
 /// Whether a click takes the lead. It is small: next to it will do.
 bool on_lead(const carom::Ball& lead, Point at, const Viewport& viewport, const View& view);

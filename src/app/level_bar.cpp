@@ -17,6 +17,7 @@ LevelBar::LevelBar(const Words& words) : words_(words) {}
 
 void LevelBar::resize(const View& view, const Rect& area) {
   relabel(words_(Text::retry), words_(Text::menu), words_(Text::settings));
+  explain({words_(Text::tip_restart), words_(Text::tip_close), words_(Text::tip_settings)});
   auto [row, rest] = place(view, area);
   if (view.narrow()) {
     counts_[0] = row.cut_right(row.w * 0.3f);

@@ -86,6 +86,10 @@ void LevelMenu::show_page(std::size_t page) {
   labels.push_back(words_(Text::title_button));
   buttons_ = Buttons(std::move(labels));
   buttons_.set_columns(columns_);
+  for (std::size_t i = cards(); i + 2 < buttons_.size(); ++i)
+    buttons_.explain(i, words_(Text::tip_page));
+  buttons_.explain(buttons_.size() - 2, words_(Text::tip_practice_levels));
+  buttons_.explain(buttons_.size() - 1, words_(Text::tip_title));
 
   const float space = view_.px(gap);
   for (std::size_t i = 0; i < cards(); ++i) {

@@ -17,6 +17,9 @@ constexpr std::array labels{Text::take_back,    Text::repeat,    Text::slower_th
 /// Of the width, as long as the labels are.
 constexpr std::array shares{0.21f, 0.18f, 0.165f, 0.165f, 0.14f, 0.14f};
 
+constexpr std::array tips{Text::tip_take_back,    Text::tip_repeat,    Text::tip_slower_throw,
+                          Text::tip_faster_throw, Text::tip_turn_left, Text::tip_turn_right};
+
 PracticeCommand command_of(std::size_t button) {
   constexpr std::array changes{Change::slower, Change::faster, Change::left, Change::right};
   if (button == 0) return TakeBack{};
@@ -29,7 +32,7 @@ PracticeCommand command_of(std::size_t button) {
 PracticeStrip::PracticeStrip(const Words& words)
     : words_(words), buttons_(std::vector<std::string>(labels.size())) {}
 
-float PracticeStrip::height(const View& view) { return view.px(48); }
+float PracticeStrip::height(const View& view) { return view.px(view.touch ? 64 : 48); }
 
 void PracticeStrip::resize(const View& view, const Rect& area) {
   area_ = area;
@@ -38,6 +41,7 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
   const float room = row.w - gap * static_cast<float>(shares.size() - 1);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     buttons_.relabel(i, words_(labels[i]));
+    buttons_.explain(i, words_(tips[i]));
     buttons_.place(i, row.cut_left(room * shares[i]));
     row.cut_left(gap);
   }

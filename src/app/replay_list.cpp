@@ -63,6 +63,10 @@ void ReplayList::show_page(std::size_t page) {
   labels.push_back(words_(Text::paste));
   labels.push_back(words_(Text::title_button));
   buttons_ = Buttons(std::move(labels));
+  for (std::size_t i = entries_.size(); i + 2 < buttons_.size(); ++i)
+    buttons_.explain(i, words_(Text::tip_page));
+  buttons_.explain(buttons_.size() - 2, words_(Text::tip_paste));
+  buttons_.explain(buttons_.size() - 1, words_(Text::tip_title));
 
   Rect rows = rows_;
   for (std::size_t i = 0; i < entries_.size(); ++i) {

@@ -59,6 +59,10 @@ ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player 
 
 void ReplayScreen::resize(const View& view) {
   view_ = view;
+  constexpr std::array tips{Text::tip_previous_turn,  Text::tip_play,   Text::tip_step,
+                            Text::tip_following_turn, Text::tip_slower, Text::tip_faster,
+                            Text::tip_save,           Text::tip_copy,   Text::tip_close_replay};
+  for (std::size_t i = 0; i < tips.size(); ++i) buttons_.explain(i, words_(tips[i]));
   const bool narrow = view.narrow();
   const float gap = view.px(6);
   Rect rest = view.area();

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "app/canvas.hpp"
 #include "app/clock.hpp"
 #include "app/input.hpp"
+#include "app/text.hpp"
 
 namespace app {
 
@@ -27,6 +29,13 @@ enum class Transition : std::uint8_t {
   quit,
 };
 
+/// Where the player has to do something with a ball, and what.
+struct Call {
+  Point at;          ///< window px, the ball's centre
+  float radius = 0;  ///< window px
+  Text what{};
+};
+
 /// What fills the window. Input and time go in; a picture and a transition come out.
 class Screen {
  public:
@@ -41,6 +50,8 @@ class Screen {
   virtual void draw(Canvas& canvas) const = 0;
   /// What is on screen, in one line.
   virtual std::string describe() const = 0;
+  /// The ball that is the player's to aim or to place now: then sticks steer it. None otherwise.
+  virtual std::optional<Call> call() const { return std::nullopt; }
   /// What is typed is a text: letters are no commands.
   virtual bool typing() const { return false; }
   /// The picture changes without input.

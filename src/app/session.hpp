@@ -9,6 +9,7 @@
 #include "app/campaign.hpp"
 #include "app/clipboard.hpp"
 #include "app/kept_games.hpp"
+#include "app/key_bindings.hpp"
 #include "app/saved_replays.hpp"
 #include "app/settings.hpp"
 #include "app/sound.hpp"
@@ -58,6 +59,8 @@ struct Session {
   bool system_reduced_motion = false;     ///< what the desktop or browser asks for
   Surroundings surroundings;
   std::optional<Notice> notice;
+  Keyboard keyboard;
+  bool teach = false;                      ///< how to shoot is not known yet
   std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
   replay::Kind to_continue{};              ///< what Transition::load goes on with
   /// What Transition::resume goes on with.

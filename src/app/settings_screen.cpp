@@ -141,6 +141,10 @@ Transition SettingsScreen::event(const Input& input) {
     const auto pressed = std::exchange(pressed_, std::nullopt);
     if (up->button == PointerButton::left && pressed && pressed == find(up->at))
       return press(*pressed, up->at);
+  } else if (std::holds_alternative<PointerLeft>(input) ||
+             std::holds_alternative<PointerCancelled>(input)) {
+    hovered_.reset();
+    pressed_.reset();
   } else if (const auto* typed = std::get_if<TextTyped>(&input)) {
     type(typed->text);
   } else if (const auto* down_key = std::get_if<KeyPressed>(&input)) {

@@ -59,6 +59,27 @@ std::string TitleScreen::label_of(Choice choice) const {
   return words_(Text::quit);
 }
 
+Text TitleScreen::tip_of(Choice choice) {
+  switch (choice) {
+    case Choice::continue_billiards:
+    case Choice::continue_level:
+      return Text::tip_continue;
+    case Choice::billiards:
+      return Text::tip_billiards;
+    case Choice::practice_table:
+      return Text::tip_practice_table;
+    case Choice::angry_balls:
+      return Text::tip_angry_balls;
+    case Choice::replays:
+      return Text::tip_replays;
+    case Choice::settings:
+      return Text::tip_settings;
+    case Choice::quit:
+      break;
+  }
+  return Text::tip_quit;
+}
+
 /// What a game kept is called on its button.
 std::string TitleScreen::offer(Kind kind) const {
   const replay::Replay& game = *session_.kept.of(kind);
@@ -119,6 +140,7 @@ void TitleScreen::resize(const View& view) {
   const float gap = view.px(8);
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     buttons_.relabel(i, label_of(choices_[i]));
+    buttons_.explain(i, words_(tip_of(choices_[i])));
     const bool alone =
         choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
     const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||

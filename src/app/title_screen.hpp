@@ -44,6 +44,7 @@ class TitleScreen final : public Screen {
     std::optional<Choice> about;
   };
 
+  static Text tip_of(Choice choice);
   Transition choose(Choice choice);
   Transition answer(std::size_t button);
   Transition proceed(Choice choice);

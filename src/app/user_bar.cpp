@@ -39,11 +39,23 @@ void UserBar::relabel(std::string restart_label, std::string close_label,
   buttons_.relabel(settings, std::move(settings_label));
 }
 
+void UserBar::explain(std::array<std::string, 3> tips) {
+  for (std::size_t i = 0; i < tips.size(); ++i) buttons_.explain(i, std::move(tips[i]));
+}
+
 UserBar::Room UserBar::place(const View& view, const Rect& area) {
   area_ = area;
   const float gap = view.px(8);
   // In a very wide window everything stays together in the middle.
   Rect rest = centered(area.center(), std::min(area.w, view.px(1120)), area.h).inset(gap);
+  if (view.touch && view.wide()) {
+    for (const auto& [index, width] :
+         {std::pair{close, 104.0f}, {restart, 120.0f}, {settings, 56.0f}}) {
+      buttons_.place(index, rest.cut_right(view.px(width)));
+      rest.cut_right(gap);
+    }
+    return {rest, {}};
+  }
   if (!view.narrow()) {
     Rect column = rest.cut_right(view.px(128));
     buttons_.place(restart, column.cut_top((column.h - gap / 2) / 2));

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
+#include "app/text.hpp"
 #include "app/widgets.hpp"
 
 namespace app {
@@ -15,7 +17,7 @@ class UserBar {
 
   std::optional<Command> event(const Input& input);
   /// A click here is a button's business; elsewhere in the bar it may end a drag.
-  bool has_button_at(Point at) const { return buttons_.cover(at); }
+  bool has_button_at(Point at, bool touch) const { return buttons_.cover(at, touch); }
   Buttons& buttons() { return buttons_; }
   const Buttons& buttons() const { return buttons_; }
 
@@ -28,6 +30,8 @@ class UserBar {
 
   UserBar();
   void relabel(std::string restart, std::string close, std::string settings);
+  /// In the order of Command.
+  void explain(std::array<std::string, 3> tips);
   Room place(const View& view, const Rect& area);
   void draw_strip(Canvas& canvas) const;
   /// A number over what it counts.

@@ -7,13 +7,20 @@ View View::of(int width, int height) {
   const auto h = static_cast<float>(height);
   // Below 0.875 the smallest text, 16 units, would come out under 14 px.
   const float scale = std::clamp(std::min(w / 800, h / 600), 0.875f, 8.0f);
-  return {w, h, scale};
+  return {w, h, scale, false};
 }
 
 GameLayout GameLayout::of(const View& view) {
   Rect rest = view.area();
-  const Rect bar = rest.cut_top(view.px(view.narrow() ? 144 : 80));
-  const Rect footer = rest.cut_bottom(view.px(view.narrow() ? 80 : 48));
+  // For fingers buttons are 44 px high even at the least scale.
+  float bar_height = view.narrow() ? 144 : 80;
+  float footer_height = view.narrow() ? 80 : 48;
+  if (view.touch) {
+    bar_height = view.narrow() ? 156 : view.wide() ? 80 : 124;
+    footer_height = view.narrow() ? 112 : 60;
+  }
+  const Rect bar = rest.cut_top(view.px(bar_height));
+  const Rect footer = rest.cut_bottom(view.px(footer_height));
   return {bar, rest, footer};
 }
 

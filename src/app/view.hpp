@@ -10,6 +10,7 @@ struct View {
   float width = 800;   ///< px
   float height = 600;  ///< px
   float scale = 1;     ///< px a unit
+  bool touch = false;  ///< fingers are used: what they press is larger
 
   static View of(int width, int height);
 
@@ -17,6 +18,8 @@ struct View {
   Rect area() const { return {0, 0, width, height}; }
   /// Too narrow for what otherwise stands side by side.
   bool narrow() const { return width < 760 * scale; }
+  /// There is room for more side by side.
+  bool wide() const { return width >= 900 * scale; }
 };
 
 /// Where a game's parts stand: the user bar on top, the world between, words to the player below.

@@ -1,5 +1,6 @@
 #include "app/widgets.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/label.hpp"
@@ -10,13 +11,30 @@ namespace app {
 
 Buttons::Buttons(std::vector<std::string> labels, std::optional<std::size_t> primary)
     : primary_(primary) {
-  for (std::string& label : labels) buttons_.push_back({std::move(label), {}});
+  for (std::string& label : labels) buttons_.push_back({std::move(label), {}, {}});
 }
 
 std::optional<std::size_t> Buttons::find(Point at) const {
   for (std::size_t i = 0; i < buttons_.size(); ++i)
     if (buttons_[i].box.contains(at)) return i;
   return std::nullopt;
+}
+
+/// The nearest one that a finger there can mean.
+std::optional<std::size_t> Buttons::touched(Point at) const {
+  std::optional<std::size_t> nearest;
+  float least = finger_target;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    const Rect& box = buttons_[i].box;
+    const Rect target =
+        centered(box.center(), std::max(box.w, finger_target), std::max(box.h, finger_target));
+    const Point inside{std::clamp(at.x, box.x, box.right()), std::clamp(at.y, box.y, box.bottom())};
+    const float away = length(at - inside);
+    if (!target.contains(at) || away >= least) continue;
+    nearest = i;
+    least = away;
+  }
+  return nearest;
 }
 
 void Buttons::move_focus(std::ptrdiff_t by) {
@@ -30,15 +48,23 @@ void Buttons::move_focus(std::ptrdiff_t by) {
 
 std::optional<std::size_t> Buttons::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) {
-    hovered_ = find(moved->at);
+    hovered_ = touch_ ? touched(moved->at) : find(moved->at);
   } else if (const auto* press = std::get_if<PointerPressed>(&input)) {
     focused_.reset();
-    hovered_ = find(press->at);
+    touch_ = press->touch;
+    hovered_ = touch_ ? touched(press->at) : find(press->at);
     pressed_ = press->button == PointerButton::left ? hovered_ : std::nullopt;
   } else if (const auto* release = std::get_if<PointerReleased>(&input)) {
     if (release->button != PointerButton::left) return std::nullopt;
     const auto pressed = std::exchange(pressed_, std::nullopt);
-    if (pressed && pressed == find(release->at)) return pressed;
+    const auto over = touch_ ? touched(release->at) : find(release->at);
+    touch_ = false;
+    if (pressed && pressed == over) return pressed;
+  } else if (std::holds_alternative<PointerLeft>(input) ||
+             std::holds_alternative<PointerCancelled>(input)) {
+    hovered_.reset();
+    pressed_.reset();
+    touch_ = false;
   } else if (const auto* key = std::get_if<KeyPressed>(&input)) {
     switch (key->key) {
       case Key::tab:
@@ -99,6 +125,8 @@ Buttons::Look Buttons::draw_face(Canvas& canvas, std::size_t index) const {
   if (hovered(index)) face = mix(face, palette::cream, 0.18f);
   if (pressed(index)) face = mix(face, palette::ink, 0.3f);
   const Button& button = buttons_[index];
+  if (!button.tip.empty() && (hovered(index) || focused(index)))
+    canvas.list.tip = Tip{button.box, button.tip};
   Rect box = button.box;
   const float radius = canvas.px(8);
 

@@ -11,8 +11,12 @@
 
 namespace app {
 
+/// Px, each way.
+inline constexpr float finger_target = 44;
+
 /// Buttons that share the keyboard's focus. A button acts when it is released over itself, or by
-/// Enter or Space when it has the focus.
+/// Enter or Space when it has the focus. A finger need not be exact: a small button takes what is
+/// around it, up to finger_target.
 class Buttons {
  public:
   /// With `primary`, that button stands out and Enter means it as long as nothing has the focus.
@@ -22,6 +26,8 @@ class Buttons {
   void place(std::size_t index, const Rect& box) { buttons_[index].box = box; }
 
   void relabel(std::size_t index, std::string label) { buttons_[index].label = std::move(label); }
+  /// What the button does, in some words: shown as long as it is pointed at or has the focus.
+  void explain(std::size_t index, std::string tip) { buttons_[index].tip = std::move(tip); }
 
   /// The button that the input sets off, if any.
   std::optional<std::size_t> event(const Input& input);
@@ -33,7 +39,9 @@ class Buttons {
   void blur() { focused_.reset(); }
   bool has_focus() const { return focused_.has_value(); }
   /// A click here is a button's business.
-  bool cover(Point at) const { return find(at).has_value(); }
+  bool cover(Point at, bool touch = false) const {
+    return (touch ? touched(at) : find(at)).has_value();
+  }
   void draw(Canvas& canvas, float text_size = 16) const;
 
   // For those who draw a button themselves, and for draw().
@@ -58,8 +66,10 @@ class Buttons {
   struct Button {
     std::string label;
     Rect box;
+    std::string tip;
   };
   std::optional<std::size_t> find(Point at) const;
+  std::optional<std::size_t> touched(Point at) const;
   void move_focus(std::ptrdiff_t by);
 
   std::vector<Button> buttons_;
@@ -67,6 +77,7 @@ class Buttons {
   std::size_t columns_ = 1;
   std::optional<std::size_t> hovered_;
   std::optional<std::size_t> pressed_;
+  bool touch_ = false;                  ///< pressed_ is, by a finger
   std::optional<std::size_t> focused_;  ///< shown only to those who use the keyboard
 };
 

@@ -45,6 +45,9 @@ window pixels:
   {"at": 1.5, "key": "Escape"}                also "Shift+Left", "Ctrl+Up"
   {"at": 1.5, "hold": "Space"}                and "let_go"
   {"at": 1.5, "type": "47.3"}
+  {"at": 1.5, "touch": [400, 300]}            and "touch_move", "touch_end"; "finger": 1
+  {"at": 1.5, "pad": "A"}                     a gamepad's button; also "pad_hold", "pad_let_go"
+  {"at": 1.5, "stick": ["left_x", 0.5]}       and there it stays
   {"at": 2, "screenshot": "shot.png"}
   {"at": 3, "print": true}                    says what is on screen
 It plays without a display, as fast as it can, the same every time, with no scores, games and levels

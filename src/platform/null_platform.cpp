@@ -51,6 +51,13 @@ carom::Status NullPlatform::run(const Script& script, const Print& print) {
       app_.event(app::KeyReleased{let_go->key});
     } else if (const auto* type = std::get_if<Type>(&line.action)) {
       app_.event(app::TextTyped{type->text});
+    } else if (const auto* touch = std::get_if<Touch>(&line.action)) {
+      app_.event(touch->finger);
+    } else if (const auto* pad = std::get_if<PadPress>(&line.action)) {
+      app_.event(app::PadPressed{pad->button});
+      app_.event(app::PadReleased{pad->button});
+    } else if (const auto* input = std::get_if<PadInput>(&line.action)) {
+      app_.event(input->input);
     } else if (const auto* shot = std::get_if<Screenshot>(&line.action)) {
       if (carom::Status written = screenshot(shot->file); !written) return written;
     } else if (print) {

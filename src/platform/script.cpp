@@ -16,27 +16,60 @@ using nlohmann::json;
 constexpr double longest = 86'400;  ///< s
 constexpr double widest = 100'000;  ///< px
 
-constexpr std::array<std::pair<std::string_view, app::Key>, 21> keys{{
-    {"Return", app::Key::enter},  {"Space", app::Key::space},
-    {"Tab", app::Key::tab},       {"Shift+Tab", app::Key::back_tab},
-    {"Escape", app::Key::escape}, {"Left", app::Key::left},
-    {"Right", app::Key::right},   {"Up", app::Key::up},
-    {"Down", app::Key::down},     {"R", app::Key::r},
-    {"N", app::Key::n},           {"Backspace", app::Key::backspace},
-    {"+", app::Key::plus},        {"-", app::Key::minus},
-    {".", app::Key::period},      {"Ctrl+C", app::Key::copy},
-    {"Ctrl+V", app::Key::paste},  {"F10", app::Key::settings},
-    {"F", app::Key::f},           {"M", app::Key::m},
-    {"P", app::Key::p},
+constexpr std::array<std::pair<std::string_view, app::Key>, 17> keys{{
+    {"Return", app::Key::enter},
+    {"Space", app::Key::space},
+    {"Tab", app::Key::tab},
+    {"Shift+Tab", app::Key::back_tab},
+    {"Escape", app::Key::escape},
+    {"Left", app::Key::left},
+    {"Right", app::Key::right},
+    {"Up", app::Key::up},
+    {"Down", app::Key::down},
+    {"F1", app::Key::help},
+    {"Backspace", app::Key::backspace},
+    {"+", app::Key::plus},
+    {"-", app::Key::minus},
+    {".", app::Key::period},
+    {"Ctrl+C", app::Key::copy},
+    {"Ctrl+V", app::Key::paste},
+    {"F10", app::Key::settings},
 }};
 
 constexpr std::string_view key_names =
     "Return, Space, Tab, Shift+Tab, Escape, Left, Right, Up, Down (these four also with Shift+ or "
-    "Ctrl+), F, M, N, P, R, Backspace, +, -, ., Ctrl+C, Ctrl+V or F10";
+    "Ctrl+), A to Z, Backspace, +, -, ., F1, F10, Ctrl+C or Ctrl+V";
+
+constexpr std::array<std::pair<std::string_view, app::PadButton>, 12> pad_buttons{{
+    {"Up", app::PadButton::up},
+    {"Down", app::PadButton::down},
+    {"Left", app::PadButton::left},
+    {"Right", app::PadButton::right},
+    {"A", app::PadButton::a},
+    {"B", app::PadButton::b},
+    {"X", app::PadButton::x},
+    {"Y", app::PadButton::y},
+    {"Start", app::PadButton::start},
+    {"Back", app::PadButton::back},
+    {"LB", app::PadButton::left_shoulder},
+    {"RB", app::PadButton::right_shoulder},
+}};
+constexpr std::string_view pad_button_names =
+    "Up, Down, Left, Right, A, B, X, Y, Start, Back, LB or RB";
+constexpr std::array<std::pair<std::string_view, app::PadAxis>, 6> pad_axes{{
+    {"left_x", app::PadAxis::left_x},
+    {"left_y", app::PadAxis::left_y},
+    {"right_x", app::PadAxis::right_x},
+    {"right_y", app::PadAxis::right_y},
+    {"left_trigger", app::PadAxis::left_trigger},
+    {"right_trigger", app::PadAxis::right_trigger},
+}};
+constexpr int most_fingers = 10;
 
 constexpr std::string_view line_form =
     "an object with \"at\" and one of \"click\", \"move\", \"press\", \"release\", \"wheel\", "
-    "\"key\", \"hold\", \"let_go\", \"type\", \"screenshot\", \"print\"";
+    "\"key\", \"hold\", \"let_go\", \"type\", \"touch\", \"touch_move\", \"touch_end\", \"pad\", "
+    "\"pad_hold\", \"pad_let_go\", \"stick\", \"screenshot\", \"print\"";
 constexpr double most_notches = 1000;
 
 std::optional<app::Point> point(const json& value) {
@@ -51,6 +84,9 @@ std::optional<app::KeyPressed> key(const json& value) {
   std::string_view wanted = value.get_ref<const std::string&>();
   for (const auto& [name, key] : keys)
     if (wanted == name) return app::KeyPressed{key, key == app::Key::back_tab};
+  if (wanted.size() == 1 && wanted[0] >= 'A' && wanted[0] <= 'Z')
+    return app::KeyPressed{
+        static_cast<app::Key>(static_cast<int>(app::Key::a) + (wanted[0] - 'A'))};
   app::KeyPressed pressed;
   if (wanted.starts_with("Shift+"))
     pressed.shift = true;
@@ -67,6 +103,25 @@ std::optional<app::KeyPressed> key(const json& value) {
     return pressed;
   }
   return std::nullopt;
+}
+
+template <class Named>
+auto named(const Named& table, const json& value) {
+  using Meant = typename Named::value_type::second_type;
+  if (value.is_string())
+    for (const auto& [name, meant] : table)
+      if (value.get_ref<const std::string&>() == name) return std::optional<Meant>(meant);
+  return std::optional<Meant>();
+}
+
+/// ["left_x", 0.5]
+std::optional<app::PadMoved> stick(const json& value) {
+  if (!value.is_array() || value.size() != 2 || !value[1].is_number()) return std::nullopt;
+  const auto axis = named(pad_axes, value[0]);
+  const auto to = value[1].get<double>();
+  if (!axis || !(std::abs(to) <= 1)) return std::nullopt;
+  if (to < 0 && *axis >= app::PadAxis::left_trigger) return std::nullopt;
+  return app::PadMoved{*axis, value[1].get<float>()};
 }
 
 carom::Error wrong(std::string pointer, const json& value, std::string expected) {
@@ -118,6 +173,33 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
       if (!value.is_string()) return wrong("/type", value, "a text");
       ++actions;
       result.action = Type{value.get<std::string>()};
+    } else if (name == "touch" || name == "touch_move" || name == "touch_end") {
+      const auto at = point(value);
+      if (!at) return wrong("/" + name, value, "a point of the window, [x, y] (px)");
+      ++actions;
+      using Phase = app::Finger::Phase;
+      const Phase phase = name == "touch"        ? Phase::down
+                          : name == "touch_move" ? Phase::moved
+                                                 : Phase::up;
+      result.action = Touch{{0, phase, *at}};
+    } else if (name == "pad" || name == "pad_hold" || name == "pad_let_go") {
+      const auto button = named(pad_buttons, value);
+      if (!button) return wrong("/" + name, value, std::string(pad_button_names));
+      ++actions;
+      if (name == "pad")
+        result.action = PadPress{*button};
+      else if (name == "pad_hold")
+        result.action = PadInput{app::PadPressed{*button}};
+      else
+        result.action = PadInput{app::PadReleased{*button}};
+    } else if (name == "stick") {
+      const auto moved = stick(value);
+      if (!moved)
+        return wrong("/stick", value,
+                     "an axis and how far, such as [\"left_x\", -0.5]; left_x, left_y, right_x, "
+                     "right_y from -1 to 1, left_trigger, right_trigger from 0 to 1");
+      ++actions;
+      result.action = PadInput{*moved};
     } else if (name == "screenshot") {
       if (!value.is_string() || value.get_ref<const std::string&>().empty())
         return wrong("/screenshot", value, "the name of a PNG file to write");
@@ -127,7 +209,7 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
       if (value != true) return wrong("/print", value, "true");
       ++actions;
       result.action = Print{};
-    } else if (name != "button") {
+    } else if (name != "button" && name != "finger") {
       return carom::Error{.pointer = "/" + name,
                           .problem = "is an unknown key",
                           .expected = std::string(line_form)};
@@ -136,6 +218,13 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
   if (!line.contains("at") || actions != 1)
     return carom::Error{
         .pointer = {}, .problem = "is " + std::string(text), .expected = std::string(line_form)};
+  if (line.contains("finger")) {
+    const json& finger = line["finger"];
+    auto* touch = std::get_if<Touch>(&result.action);
+    if (!touch || !finger.is_number_integer() || finger < 0 || finger >= most_fingers)
+      return wrong("/finger", finger, "a number from 0 to 9, beside a touch");
+    touch->finger.id = finger.get<int>();
+  }
   if (line.contains("button")) {
     const json& button = line["button"];
     auto* click = std::get_if<Click>(&result.action);

@@ -40,6 +40,15 @@ struct LetGo {
 struct Type {
   std::string text;  ///< UTF-8
 };
+struct Touch {  ///< of one finger
+  app::Finger finger;
+};
+struct PadPress {  ///< and releases
+  app::PadButton button;
+};
+struct PadInput {
+  app::Input input;  ///< PadPressed, PadReleased or PadMoved
+};
 struct Screenshot {
   std::string file;
 };
@@ -48,8 +57,8 @@ struct Print {};  ///< says what is on screen
 
 struct ScriptLine {
   std::chrono::nanoseconds at{};  ///< from the start
-  std::variant<Click, Move, PointerDown, PointerUp, Wheel, Press, Hold, LetGo, Type, Screenshot,
-               Print>
+  std::variant<Click, Move, PointerDown, PointerUp, Wheel, Press, Hold, LetGo, Type, Touch,
+               PadPress, PadInput, Screenshot, Print>
       action;
 };
 using Script = std::vector<ScriptLine>;
@@ -62,6 +71,9 @@ using Script = std::vector<ScriptLine>;
 ///   {"at": 1.5, "key": "Escape"}            also "Shift+Left", "Ctrl+Up", …
 ///   {"at": 1.5, "hold": "Space"}            and "let_go"
 ///   {"at": 1.5, "type": "Zoé"}
+///   {"at": 1.5, "touch": [400, 300]}        also "touch_move", "touch_end"; "finger": 1
+///   {"at": 1.5, "pad": "A"}                 pressed and released; "pad_hold", "pad_let_go"
+///   {"at": 1.5, "stick": ["left_x", 0.5]}   and stays there
 ///   {"at": 2, "screenshot": "shot.png"}
 ///   {"at": 3, "print": true}
 /// Gives all errors, each with its line.

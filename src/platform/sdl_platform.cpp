@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "files/files.hpp"
+#include "platform/sdl_input.hpp"
 #include "platform/speaker.hpp"
 
 namespace platform {
@@ -44,6 +45,9 @@ Owned<T> owned(T* made) {
 struct Library {
   Library() {
     SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+    // A finger is a finger, and the mouse no finger.
+    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
+    SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
     if (SDL_Init(SDL_INIT_VIDEO) != 0) throw std::runtime_error(SDL_GetError());
     // SDL may settle for a driver that shows nothing: a game that nobody sees.
     const std::string_view driver = SDL_GetCurrentVideoDriver();
@@ -51,6 +55,8 @@ struct Library {
       SDL_Quit();
       throw std::runtime_error("no video driver found a display");
     }
+    // Without gamepads one can still play.
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
   }
   ~Library() { SDL_Quit(); }
   Library(const Library&) = delete;
@@ -70,54 +76,11 @@ class DesktopClipboard final : public app::Clipboard {
 };
 
 /// Signs that lie on other keys with every keyboard's layout.
-std::optional<app::Key> key_of(std::string_view typed) {
+std::optional<app::Key> typed_key(std::string_view typed) {
   if (typed == "+" || typed == "=") return app::Key::plus;
   if (typed == "-") return app::Key::minus;
   if (typed == ".") return app::Key::period;
   return std::nullopt;
-}
-
-std::optional<app::Key> key_of(const SDL_Keysym& key) {
-  if ((key.mod & KMOD_CTRL) != 0) {
-    if (key.sym == SDLK_c) return app::Key::copy;
-    if (key.sym == SDLK_v) return app::Key::paste;
-    if (key.sym >= SDLK_a && key.sym <= SDLK_z) return std::nullopt;
-  }
-  switch (key.sym) {
-    case SDLK_RETURN:
-    case SDLK_KP_ENTER:
-      return app::Key::enter;
-    case SDLK_SPACE:
-      return app::Key::space;
-    case SDLK_TAB:
-      return (key.mod & KMOD_SHIFT) != 0 ? app::Key::back_tab : app::Key::tab;
-    case SDLK_ESCAPE:
-      return app::Key::escape;
-    case SDLK_LEFT:
-      return app::Key::left;
-    case SDLK_RIGHT:
-      return app::Key::right;
-    case SDLK_UP:
-      return app::Key::up;
-    case SDLK_DOWN:
-      return app::Key::down;
-    case SDLK_r:
-      return app::Key::r;
-    case SDLK_n:
-      return app::Key::n;
-    case SDLK_F10:
-      return app::Key::settings;
-    case SDLK_BACKSPACE:
-      return app::Key::backspace;
-    case SDLK_f:
-      return app::Key::f;
-    case SDLK_m:
-      return app::Key::m;
-    case SDLK_p:
-      return app::Key::p;
-    default:
-      return std::nullopt;
-  }
 }
 
 class SdlWindow final : public GameWindow {
@@ -132,6 +95,8 @@ class SdlWindow final : public GameWindow {
              std::move(setup.surroundings)) {
     SDL_SetWindowMinimumSize(window_.get(), setup.least_width, setup.least_height);
     measure();
+    app_.name_keys(label_of);
+    app_.teach_beginners();
   }
 
   app::App& app() override { return app_; }
@@ -141,7 +106,10 @@ class SdlWindow final : public GameWindow {
     for (SDL_Event event; SDL_PollEvent(&event) != 0;) stale_ |= handle(event);
     const auto now = steady_clock::now();
     // What passed while nothing moved is no time of the game's.
-    if (!idle) app_.iterate(now - last_);
+    if (idle)
+      app_.rest(now - last_);
+    else
+      app_.iterate(now - last_);
     last_ = now;
     speaker_.play(app_.take_sounds(), app_.volume());
     stale_ |= app_.animating();
@@ -217,15 +185,42 @@ class SdlWindow final : public GameWindow {
         return true;
       case SDL_KEYDOWN:
         return handle(event.key);
-      case SDL_KEYUP:
-        return release(event.key.keysym);
-      case SDL_TEXTINPUT:
-        app_.event(app::TextTyped{event.text.text});
-        press(key_of(std::string_view(event.text.text)));
+      case SDL_KEYUP: {
+        SDL_Keysym released = event.key.keysym;
+        released.mod = KMOD_NONE;  // a key is let go, whatever else is held by now
+        if (const auto key = key_of(released)) app_.event(app::KeyReleased{*key});
         return true;
-      default:
-        return false;
+      }
+      case SDL_TEXTINPUT: {
+        const std::string_view text = event.text.text;
+        app_.event(app::TextTyped{event.text.text});
+        press(typed_key(text));
+        return true;
+      }
+      case SDL_FINGERDOWN:
+        return handle(event.tfinger, app::Finger::Phase::down);
+      case SDL_FINGERMOTION:
+        return handle(event.tfinger, app::Finger::Phase::moved);
+      case SDL_FINGERUP:
+        return handle(event.tfinger, app::Finger::Phase::up);
+      case SDL_KEYMAPCHANGED:
+        return true;
+      default: {
+        const auto pad = gamepads_.event(event);
+        if (pad) app_.event(*pad);
+        return pad.has_value();
+      }
     }
+  }
+
+  bool handle(const SDL_TouchFingerEvent& touch, app::Finger::Phase phase) {
+    int width = 1, height = 1;
+    SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
+    app_.event(
+        app::Finger{touch.fingerId,
+                    phase,
+                    {touch.x * static_cast<float>(width), touch.y * static_cast<float>(height)}});
+    return true;
   }
 
   bool handle(const SDL_MouseButtonEvent& click) {
@@ -255,13 +250,6 @@ class SdlWindow final : public GameWindow {
     if (press.repeat != 0 && key && std::ranges::find(repeating, *key) == repeating.end())
       return false;
     return this->press(key, press.keysym.mod);
-  }
-
-  bool release(SDL_Keysym released) {
-    released.mod = KMOD_NONE;  // a key is let go, whatever else is held by now
-    const auto key = key_of(released);
-    if (key) app_.event(app::KeyReleased{*key});
-    return key.has_value();
   }
 
   bool open_dropped(char* path) {
@@ -323,6 +311,7 @@ class SdlWindow final : public GameWindow {
   std::uint64_t uploaded_version_ = 0;
   DesktopClipboard desktop_clipboard_;
   Speaker speaker_;
+  Gamepads gamepads_;
   app::App app_;
   steady_clock::time_point last_ = steady_clock::now();
   bool stale_ = true;  ///< the picture shown is not the app's

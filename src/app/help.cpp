@@ -1,0 +1,188 @@
+#include "app/help.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "app/label.hpp"
+#include "app/palette.hpp"
+#include "app/shapes.hpp"
+
+namespace app {
+namespace {
+
+struct Section {
+  Text title;
+  Text lines;
+};
+constexpr std::array sections{Section{Text::help_aim_title, Text::help_aim},
+                              Section{Text::help_game_title, Text::help_game},
+                              Section{Text::help_mouse_title, Text::help_mouse},
+                              Section{Text::help_touch_title, Text::help_touch},
+                              Section{Text::help_pad_title, Text::help_pad},
+                              Section{Text::help_menu_title, Text::help_menu},
+                              Section{Text::help_replay_title, Text::help_replay}};
+
+// Units.
+constexpr float line_height = 23;
+constexpr float title_height = 30;
+constexpr float column_gap = 24;
+constexpr float least_column = 300;
+constexpr float button_height = 48;
+constexpr float most_width = 1040;
+
+constexpr float key_share = 0.36f;  ///< of a column
+
+}  // namespace
+
+Help::Help(const Words& words, Keyboard& keyboard)
+    : words_(words),
+      keyboard_(keyboard),
+      buttons_({"‹", "›", words(Text::change_keys), words(Text::close)}, close) {
+  buttons_.explain(previous, words(Text::tip_page));
+  buttons_.explain(next, words(Text::tip_page));
+}
+
+void Help::resize(const View& view) {
+  view_ = view;
+  frame_ = centered(view.area().center(), std::min(view.width - view.px(8), view.px(most_width)),
+                    std::min(view.height - view.px(8), view.px(592)));
+  Rect rest = frame_.inset(view.px(16), view.px(10));
+  if (panel_) panel_->resize(view, rest);
+  head_ = rest.cut_top(view.px(44));
+  page_label_ = head_.cut_right(view.px(120));
+  Rect row = rest.cut_bottom(view.px(button_height));
+  const float gap = view.px(8);
+  for (const auto& [button, width] : {std::pair{previous, 56.0f}, {next, 56.0f}}) {
+    buttons_.place(button, row.cut_left(view.px(width)));
+    row.cut_left(gap);
+  }
+  const float half = std::min((row.w - gap) / 2, view.px(150));
+  buttons_.place(close, row.cut_right(half));
+  row.cut_right(gap);
+  buttons_.place(keys, row.cut_right(half));
+  lay_out();
+}
+
+/// Sections in columns, columns on pages; a section stays together if a column can hold it.
+void Help::lay_out() {
+  lines_.clear();
+  Rect area = frame_.inset(view_.px(16), view_.px(10));
+  area.cut_top(view_.px(44));
+  area.cut_bottom(view_.px(button_height + 8));
+  const float gap = view_.px(column_gap);
+  const auto columns =
+      static_cast<std::size_t>(std::max((area.w + gap) / (view_.px(least_column) + gap), 1.0f));
+  const float width = (area.w + gap) / static_cast<float>(columns) - gap;
+  const float line = view_.px(line_height);
+  const float title = view_.px(title_height);
+  std::size_t column = 0;
+  float y = area.y;
+  const auto place = [&](float height, std::string key, std::string what) {
+    if (y + height > area.bottom() && y > area.y) {
+      ++column;
+      y = area.y;
+    }
+    const float x = area.x + static_cast<float>(column % columns) * (width + gap);
+    lines_.push_back({column / columns, {x, y, width, height}, std::move(key), std::move(what)});
+    y += height;
+  };
+  for (const Section& section : sections) {
+    const std::string text =
+        words_(section.lines, {keyboard_.name(Command::again), keyboard_.name(Command::next),
+                               keyboard_.name(Command::pause), keyboard_.name(Command::fast),
+                               keyboard_.name(Command::mute)});
+    const auto count = static_cast<float>(std::ranges::count(text, '\n') + 1);
+    const float height = title + count * line;
+    if (y + std::min(height, area.h) > area.bottom() + 0.5f) {
+      ++column;
+      y = area.y;
+    }
+    place(title, words_(section.title), {});
+    for (std::string_view rest = text; !rest.empty();) {
+      const std::string_view one = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(std::min(one.size() + 1, rest.size()));
+      const std::size_t tab = one.find('\t');
+      place(line, std::string(one.substr(0, tab)), std::string(one.substr(tab + 1)));
+    }
+    y += view_.px(8);
+  }
+  pages_ = lines_.back().page + 1;
+  page_ = std::min(page_, pages_ - 1);
+}
+
+void Help::turn(std::size_t by) { page_ = (page_ + by) % pages_; }
+
+bool Help::event(const Input& input) {
+  if (panel_) {
+    if (!panel_->event(input)) {
+      panel_.reset();
+      lay_out();
+    }
+    return true;
+  }
+  const auto* typed = std::get_if<TextTyped>(&input);
+  if (is_key(input, Key::escape) || is_key(input, Key::help) || (typed && typed->text == "?"))
+    return false;
+  if (is_key(input, Key::left) || is_key(input, Key::right)) {
+    turn(is_key(input, Key::right) ? 1 : pages_ - 1);
+    return true;
+  }
+  const auto* released = std::get_if<PointerReleased>(&input);
+  const bool beside = released && !buttons_.cover(released->at, true);
+  const auto chosen = buttons_.event(input);
+  if (!chosen) return !beside;
+  switch (static_cast<Button>(*chosen)) {
+    case previous:
+      turn(pages_ - 1);
+      return true;
+    case next:
+      turn(1);
+      return true;
+    case keys:
+      panel_.emplace(words_, keyboard_);
+      panel_->resize(view_, frame_.inset(view_.px(16), view_.px(10)));
+      return true;
+    case close:
+      break;
+  }
+  return false;
+}
+
+void Help::draw(Canvas& canvas) const {
+  canvas.list.tip.reset();  // of what lies beneath
+  canvas.list.covered = canvas.list.boxes.size();
+  fill_rounded(canvas.list, canvas.view.area(), 0, palette::scrim);
+  const float radius = canvas.px(14);
+  fill_rounded(canvas.list, frame_, radius,
+               Paint::vertical(frame_, palette::panel, palette::slate_top));
+  stroke_rounded(canvas.list, frame_, radius, canvas.px(2),
+                 Paint::vertical(frame_, palette::brass, palette::brass_dark));
+  if (panel_) return panel_->draw(canvas);
+  label(canvas, head_, {Face::black, 28, palette::cream}, words_(Text::help));
+  if (pages_ > 1)
+    label(canvas, page_label_, {Face::regular, 16, palette::muted, Align::right},
+          words_(Text::page, {words_.number(static_cast<int>(page_) + 1),
+                              words_.number(static_cast<int>(pages_))}));
+  for (const Line& line : lines_) {
+    if (line.page != page_) continue;
+    if (line.what.empty()) {
+      label(canvas, line.box, {Face::bold, 19, palette::brass_lit}, line.key);
+      continue;
+    }
+    Rect rest = line.box;
+    label(canvas, rest.cut_left(std::round(rest.w * key_share)).inset(canvas.px(3), 0),
+          {Face::bold, 16, palette::cream}, line.key);
+    label(canvas, rest, {Face::regular, 16, palette::muted}, line.what);
+  }
+  for (std::size_t i = pages_ > 1 ? std::size_t{previous} : std::size_t{keys}; i < buttons_.size();
+       ++i)
+    buttons_.draw_one(canvas, i, 18);
+}
+
+std::string Help::describe() const {
+  return words_(Text::product) + " · " + words_(panel_ ? Text::keys_title : Text::help);
+}
+
+}  // namespace app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <SDL.h>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/input.hpp"
+
+/// What SDL tells, in the app's words.
+namespace platform {
+
+/// The key, letters by their place; none: nothing of ours.
+std::optional<app::Key> key_of(const SDL_Keysym& key);
+/// What is printed on a letter's key.
+std::string label_of(app::Key letter);
+std::optional<app::PadButton> pad_button_of(int button);
+/// Of SDL_CONTROLLERAXISMOTION.
+std::optional<app::PadMoved> pad_moved(const SDL_ControllerAxisEvent& event);
+
+/// The gamepads that are plugged in, opened as long as they are. All are one to the app.
+class Gamepads {
+ public:
+  /// What the app is to get; none: no event of a gamepad, or none that matters.
+  std::optional<app::Input> event(const SDL_Event& event);
+
+ private:
+  struct Close {
+    void operator()(SDL_GameController* pad) const { SDL_GameControllerClose(pad); }
+  };
+  std::map<SDL_JoystickID, std::unique_ptr<SDL_GameController, Close>> open_;
+};
+
+}  // namespace platform
