@@ -24,10 +24,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     now += std::chrono::milliseconds{byte[1] * byte[1] / 16};
     const app::Point at{static_cast<float>(byte[2]) * 800 / 256,
                         static_cast<float>(byte[3]) * 600 / 256};
-    const auto key = static_cast<app::Key>(byte[2] % (static_cast<int>(app::Key::paste) + 1));
+    const auto key = static_cast<app::Key>(byte[2] % (static_cast<int>(app::Key::z) + 1));
     script.push_back({.at = now, .action = platform::Print{}});
     auto& action = script.back().action;
-    switch (byte[0] % 10) {
+    // The last values are fingers and a gamepad, so that the others keep what they mean.
+    switch (byte[0] < 244 ? byte[0] % 10 : byte[0]) {
       case 0:
         action = platform::Click{at, app::PointerButton::left};
         break;
@@ -54,6 +55,30 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 8:
         action = platform::LetGo{key};
+        break;
+      case 244:
+      case 245:
+      case 246:
+      case 247:
+        action = platform::Touch{{byte[0] % 2, static_cast<app::Finger::Phase>(byte[1] % 3), at}};
+        break;
+      case 248:
+      case 249:
+        action = platform::PadPress{static_cast<app::PadButton>(byte[2] % 12)};
+        break;
+      case 250:
+        action = platform::PadInput{app::PadPressed{static_cast<app::PadButton>(byte[2] % 12)}};
+        break;
+      case 251:
+        action = platform::PadInput{app::PadReleased{static_cast<app::PadButton>(byte[2] % 12)}};
+        break;
+      case 252:
+      case 253:
+        action = platform::PadInput{app::PadMoved{static_cast<app::PadAxis>(byte[2] % 6),
+                                                  static_cast<float>(byte[3]) / 127.5f - 1}};
+        break;
+      case 254:
+        action = platform::PadInput{app::PadUnplugged{}};
         break;
       default:
         action = platform::Type{std::string(1, static_cast<char>(' ' + byte[2] % 95))};

@@ -442,7 +442,10 @@ std::string AngryBallsScreen::hint() const {
   if (std::holds_alternative<NextOffered>(state_))
     return words_(game().throws_left() > 0 ? Text::hint_next : Text::hint_finish,
                   {session_.keyboard.name(Command::next)});
-  return std::holds_alternative<WatchThrow>(state_) ? words_(Text::hint_flying) : std::string();
+  return std::holds_alternative<WatchThrow>(state_)
+             ? words_(Text::hint_flying, {session_.keyboard.name(Command::fast),
+                                          session_.keyboard.name(Command::pause)})
+             : std::string();
 }
 
 Color AngryBallsScreen::hint_color(const Palette& palette) const {

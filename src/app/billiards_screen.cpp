@@ -446,7 +446,10 @@ std::string BilliardsScreen::hint() const {
       return words_(Text::hint_obstructed, {words_(reason(obstruction))});
     return words_(Text::hint_place);
   }
-  return std::holds_alternative<WatchShot>(state_) ? words_(Text::hint_watch) : std::string();
+  return std::holds_alternative<WatchShot>(state_)
+             ? words_(Text::hint_watch, {session_.keyboard.name(Command::fast),
+                                         session_.keyboard.name(Command::pause)})
+             : std::string();
 }
 
 Color BilliardsScreen::hint_color(const Palette& palette) const {

@@ -25,7 +25,7 @@ struct StartLanguage {
   bool asked;  ///< by the player, at this start; otherwise it is the system's
 };
 
-enum class Text : std::uint8_t {
+enum class Text : std::uint16_t {
   product,
   tagline,
   title_screen,

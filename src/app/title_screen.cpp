@@ -299,7 +299,9 @@ void TitleScreen::draw(Canvas& canvas) const {
     canvas.list.boxes.pop_back();  // a shadow is no text
     label(canvas, box, style, word);
   }
-  label(canvas, tagline_, {Face::regular, 20, palette::brass_lit, align}, words_(Text::tagline));
+  const std::string tip = buttons_.tip();
+  label(canvas, tagline_, {Face::regular, tip.empty() ? 20.0f : 18.0f, palette::brass_lit, align},
+        tip.empty() ? words_(Text::tagline) : tip);
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
                       choices_[i] == Choice::settings || choices_[i] == Choice::open_file ||
@@ -308,6 +310,7 @@ void TitleScreen::draw(Canvas& canvas) const {
         choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
     buttons_.draw_one(canvas, i, half || offers ? 18 : 22);
   }
+  canvas.list.tip.reset();  // it stands below the name
   if (question_) question_->dialog.draw(canvas);
 }
 

@@ -15,7 +15,8 @@ namespace {
 // In the order of UserBar::Command.
 enum Button : std::size_t { restart, close, settings };
 
-constexpr float gear_width = 44;  ///< units
+constexpr float gear_width = 44;        ///< units
+constexpr float touch_gear_width = 52;  ///< units
 
 void draw_gear(DrawList& list, Point center, float radius, Color color, Color ground) {
   constexpr int teeth = 8;
@@ -50,17 +51,17 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   Rect rest = centered(area.center(), std::min(area.w, view.px(1120)), area.h).inset(gap);
   if (view.touch && view.wide()) {
     for (const auto& [index, width] :
-         {std::pair{close, 104.0f}, {restart, 120.0f}, {settings, 56.0f}}) {
+         {std::pair{close, 104.0f}, {restart, 120.0f}, {settings, touch_gear_width}}) {
       buttons_.place(index, rest.cut_right(view.px(width)));
       rest.cut_right(gap);
     }
     return {rest, {}};
   }
   if (!view.narrow()) {
-    Rect column = rest.cut_right(view.px(128));
+    Rect column = rest.cut_right(view.px(view.touch ? 140 : 128));
     buttons_.place(restart, column.cut_top((column.h - gap / 2) / 2));
     column.cut_top(gap / 2);
-    buttons_.place(settings, column.cut_right(view.px(gear_width)));
+    buttons_.place(settings, column.cut_right(view.px(view.touch ? touch_gear_width : gear_width)));
     column.cut_right(gap / 2);
     buttons_.place(close, column);
     rest.cut_right(gap);
@@ -69,9 +70,12 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   const Rect row = rest.cut_top(view.px(64));
   rest.cut_top(gap);
   const float button = std::min(view.px(136), rest.w * 0.235f);
-  const float trim = view.px(5);
-  for (const auto& [index, width] :
-       {std::pair{close, button}, {restart, button}, {settings, view.px(gear_width)}}) {
+  const bool phone = rest.w < view.px(480);  // the longer word needs more of it
+  const float trim = view.px(view.touch ? 2 : 5);
+  const float gear = view.px(view.touch ? touch_gear_width : gear_width);
+  for (const auto& [index, width] : {std::pair{close, phone ? rest.w * 0.2f : button},
+                                     {restart, phone ? rest.w * 0.285f : button},
+                                     {settings, gear}}) {
     buttons_.place(index, rest.cut_right(width).inset(0, trim));
     rest.cut_right(gap);
   }

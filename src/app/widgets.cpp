@@ -115,6 +115,11 @@ bool Buttons::move_focus(std::initializer_list<Buttons*> groups, const Input& in
   return true;
 }
 
+std::string Buttons::tip() const {
+  const auto shown = hovered_ ? hovered_ : focused_;
+  return shown ? buttons_[*shown].tip : std::string();
+}
+
 void Buttons::draw(Canvas& canvas, float text_size) const {
   for (std::size_t i = 0; i < buttons_.size(); ++i) draw_one(canvas, i, text_size);
 }

@@ -29,6 +29,9 @@ class Buttons {
   /// What the button does, in some words: shown as long as it is pointed at or has the focus.
   void explain(std::size_t index, std::string tip) { buttons_[index].tip = std::move(tip); }
 
+  /// Of the button pointed at, else of the one with the focus; empty if there is none.
+  std::string tip() const;
+
   /// The button that the input sets off, if any.
   std::optional<std::size_t> event(const Input& input);
   /// The same keys that move the focus within one group of buttons move it through all of `groups`

@@ -108,6 +108,7 @@ int play_script(const Options& options, app::StartLanguage language,
   app::Store& store = folder ? static_cast<app::Store&>(*folder) : forgetful;
   platform::NullPlatform game(language, options.size.first, options.size.second,
                               platform::read_levels(options.levels), store);
+  if (folder) game.app().teach_beginners();
   if (replay) game.app().watch(std::move(*replay));
   // Every line at once: who reads it may be waiting for it.
   const auto print = [](const std::string& line) { std::cout << line << std::endl; };

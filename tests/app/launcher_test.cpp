@@ -46,7 +46,8 @@ class LauncherTest : public testing::Test {
                         .viewport = app::Viewport({60, 450, 800, 400}, {800, 400}, 0),
                         .view = app::View::of(1280, 1000),
                         .world = {60, 450, 800, 400},
-                        .meter = {500, 950, 200, 30}};
+                        .meter = {500, 950, 200, 30},
+                        .shoot = {300, 950, 112, 44}};
   const Point lead = window(200, 200);
 };
 

@@ -68,11 +68,13 @@ void expect_sound(const std::vector<Box>& boxes, Size size) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Box& a = boxes[i];
     EXPECT_TRUE(within(a.area, window)) << describe(a) << " is cut off";
-    if (a.kind == Box::Kind::text) {
+    if (a.kind != Box::Kind::button) {
       EXPECT_GE(a.text_size, 14) << describe(a) << " is too small";
     }
+    if (a.kind == Box::Kind::tip) continue;  // it stands over others for a moment
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       const Box& b = boxes[j];
+      if (b.kind == Box::Kind::tip) continue;
       if (a.kind == Box::Kind::text && b.kind == Box::Kind::button &&
           b.text.find(without_ellipsis(a.text)) != std::string::npos && a.area.overlaps(b.area))
         EXPECT_TRUE(within(a.area, b.area)) << describe(a) << " leaves its button";
@@ -127,6 +129,53 @@ class Layout : public testing::TestWithParam<std::tuple<Size, app::Language>> {
 };
 
 TEST_P(Layout, Title) { check(); }
+
+TEST_P(Layout, HelpOnAllItsPagesAndTheKeys) {
+  for (const bool touch : {false, true}) {
+    if (touch)
+      for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
+        game.app().event(app::Finger{0, phase, {1, 1}});
+    key(app::Key::help);
+    for (int i = 0; i < 8; ++i) {
+      check(french ? "Aide" : "Help");
+      key(app::Key::right);
+    }
+    game.press(french ? "Touches…" : "Keys…");
+    check(french ? "Touches" : "Keys");
+    game.press(french ? "Recommencer" : "Start again");
+    check(french ? "Touches" : "Keys");
+    key(app::Key::n);
+    check(french ? "Touches" : "Keys");
+    key(app::Key::escape);
+    key(app::Key::escape);
+    key(app::Key::escape);
+  }
+}
+
+/// With buttons for fingers, what they tell, the first lesson, and the words for who does nothing.
+TEST_P(Layout, ForFingersAndBeginners) {
+  game.app().teach_beginners();
+  const auto touch = [&] {
+    for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
+      game.app().event(app::Finger{0, phase, {1, 1}});
+  };
+  touch();
+  check();
+  for (int i = 0; i < 8; ++i) {
+    key(app::Key::tab);
+    check();
+  }
+  game.press(french ? "S’exercer" : "Practice");
+  game.pass(3s);
+  check();
+  touch();
+  game.app().rest(30s);
+  check();
+  for (int i = 0; i < 9; ++i) {
+    key(app::Key::tab);
+    check();
+  }
+}
 
 TEST_P(Layout, FirstTurnAnnounced) {
   key(app::Key::enter);

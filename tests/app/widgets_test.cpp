@@ -73,4 +73,30 @@ TEST_F(ButtonsTest, TheRightButtonPressesNothing) {
   EXPECT_FALSE(buttons.event(app::PointerReleased{{50, 60}, app::PointerButton::right}));
 }
 
+TEST_F(ButtonsTest, AFingerNeedNotBeExact) {
+  buttons.place(0, {0, 0, 20, 20});
+  buttons.place(1, {30, 0, 20, 20});
+  const auto tap = [&](app::Point at) {
+    buttons.event(app::PointerPressed{at, app::PointerButton::left, true});
+    return release(at);
+  };
+  EXPECT_EQ(tap({10, 31}), 0u);
+  EXPECT_FALSE(tap({10, 33}));
+  EXPECT_EQ(tap({24, 10}), 0u) << "the nearer one";
+  EXPECT_EQ(tap({26, 10}), 1u);
+  press({10, 31});
+  EXPECT_FALSE(release({10, 31})) << "a mouse is exact";
+}
+
+TEST_F(ButtonsTest, WhatIsTakenBackPressesNothing) {
+  press({50, 60});
+  buttons.event(app::PointerCancelled{});
+  EXPECT_FALSE(buttons.hovered(1));
+  EXPECT_FALSE(release({50, 60}));
+  buttons.event(app::PointerMoved{{50, 60}});
+  EXPECT_TRUE(buttons.hovered(1));
+  buttons.event(app::PointerLeft{});
+  EXPECT_FALSE(buttons.hovered(1));
+}
+
 }  // namespace

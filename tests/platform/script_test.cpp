@@ -21,9 +21,15 @@ TEST(Script, ReadsEveryAction) {
 {"at": 3, "hold": "Space"}
 {"at": 3, "let_go": "Space"}
 {"at": 3, "type": "Zoé"}
-{"at": 3, "key": "Shift+Left"})");
+{"at": 3, "key": "Shift+Left"}
+{"at": 3, "key": "Q"}
+{"at": 3, "touch": [1, 2]}
+{"at": 3, "touch_end": [3, 4], "finger": 2}
+{"at": 3, "pad": "LB"}
+{"at": 3, "pad_hold": "A"}
+{"at": 3, "stick": ["right_y", -0.5]})");
   ASSERT_TRUE(script);
-  ASSERT_EQ(script.value().size(), 13u);
+  ASSERT_EQ(script.value().size(), 19u);
   const auto& click = std::get<platform::Click>(script.value()[0].action);
   EXPECT_EQ(script.value()[0].at, 500ms);
   EXPECT_EQ(click.at, (app::Point{400, 300.5f}));
@@ -46,6 +52,20 @@ TEST(Script, ReadsEveryAction) {
   const app::KeyPressed left = std::get<platform::Press>(script.value()[12].action).key;
   EXPECT_EQ(left.key, app::Key::left);
   EXPECT_TRUE(left.shift && !left.ctrl);
+  EXPECT_EQ(std::get<platform::Press>(script.value()[13].action).key.key, app::Key::q);
+  const app::Finger down = std::get<platform::Touch>(script.value()[14].action).finger;
+  EXPECT_EQ(down.phase, app::Finger::Phase::down);
+  EXPECT_EQ(down.at, (app::Point{1, 2}));
+  const app::Finger up_again = std::get<platform::Touch>(script.value()[15].action).finger;
+  EXPECT_EQ(up_again.phase, app::Finger::Phase::up);
+  EXPECT_EQ(up_again.id, 2);
+  EXPECT_EQ(std::get<platform::PadPress>(script.value()[16].action).button,
+            app::PadButton::left_shoulder);
+  const app::Input held = std::get<platform::PadInput>(script.value()[17].action).input;
+  EXPECT_EQ(std::get<app::PadPressed>(held).button, app::PadButton::a);
+  const app::Input stick = std::get<platform::PadInput>(script.value()[18].action).input;
+  EXPECT_EQ(std::get<app::PadMoved>(stick).axis, app::PadAxis::right_y);
+  EXPECT_EQ(std::get<app::PadMoved>(stick).value, -0.5f);
 }
 
 TEST(Script, EmptyIsFine) {
@@ -68,7 +88,8 @@ TEST_P(BadScript, IsReportedWithItsLine) {
 
 constexpr const char* form =
     "an object with \"at\" and one of \"click\", \"move\", \"press\", \"release\", \"wheel\", "
-    "\"key\", \"hold\", \"let_go\", \"type\", \"screenshot\", \"print\"";
+    "\"key\", \"hold\", \"let_go\", \"type\", \"touch\", \"touch_move\", \"touch_end\", \"pad\", "
+    "\"pad_hold\", \"pad_let_go\", \"stick\", \"screenshot\", \"print\"";
 const std::string not_json = std::string("file:2: is no JSON object; expected ") + form;
 const std::string unknown = std::string("file:1: /wait: is an unknown key; expected ") + form;
 const std::string nothing = std::string("file:1: is {\"at\":1}; expected ") + form;
@@ -87,16 +108,24 @@ INSTANTIATE_TEST_SUITE_P(
             "file:1: /move: is [1,\"x\"]; expected a point of the window, [x, y] (px)"},
         Bad{"{\"at\":1,\"click\":[1,1e300]}",
             "file:1: /click: is [1,1e+300]; expected a point of the window, [x, y] (px)"},
-        Bad{"{\"at\":1,\"key\":\"Q\"}",
-            "file:1: /key: is \"Q\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down (these four also with Shift+ or Ctrl+), F, M, N, P, R, Backspace, +, "
-            "-, ., "
-            "Ctrl+C, Ctrl+V or F10"},
+        Bad{"{\"at\":1,\"key\":\"F9\"}",
+            "file:1: /key: is \"F9\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
+            "Right, Up, Down (these four also with Shift+ or Ctrl+), A to Z, Backspace, +, -, ., "
+            "F1, F10, Ctrl+C or Ctrl+V"},
         Bad{"{\"at\":1,\"hold\":\"Ctrl+R\"}",
             "file:1: /hold: is \"Ctrl+R\"; expected Return, Space, Tab, Shift+Tab, Escape, Left, "
-            "Right, Up, Down (these four also with Shift+ or Ctrl+), F, M, N, P, R, Backspace, +, "
-            "-, ., "
-            "Ctrl+C, Ctrl+V or F10"},
+            "Right, Up, Down (these four also with Shift+ or Ctrl+), A to Z, Backspace, +, -, ., "
+            "F1, F10, Ctrl+C or Ctrl+V"},
+        Bad{"{\"at\":1,\"pad\":\"Z\"}",
+            "file:1: /pad: is \"Z\"; expected Up, Down, Left, Right, A, B, X, Y, Start, Back, LB "
+            "or "
+            "RB"},
+        Bad{"{\"at\":1,\"stick\":[\"left_trigger\",-0.5]}",
+            "file:1: /stick: is [\"left_trigger\",-0.5]; expected an axis and how far, such as "
+            "[\"left_x\", -0.5]; left_x, left_y, right_x, right_y from -1 to 1, left_trigger, "
+            "right_trigger from 0 to 1"},
+        Bad{"{\"at\":1,\"move\":[1,2],\"finger\":1}",
+            "file:1: /finger: is 1; expected a number from 0 to 9, beside a touch"},
         Bad{"{\"at\":1,\"wheel\":1001}",
             "file:1: /wheel: is 1001; expected notches, from -1000 to 1000"},
         Bad{"{\"at\":1,\"type\":47}", "file:1: /type: is 47; expected a text"},

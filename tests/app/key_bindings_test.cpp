@@ -1,0 +1,185 @@
+#include "app/key_bindings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/player.hpp"
+
+namespace {
+
+using app::Command;
+using app::Key;
+using app::KeyBindings;
+
+TEST(KeyBindings, ALetterDoesOneThing) {
+  KeyBindings keys;
+  EXPECT_EQ(keys.meaning(Key::r), Key::r);
+  EXPECT_EQ(keys.meaning(Key::q), std::nullopt);
+  EXPECT_EQ(keys.meaning(Key::m), Key::m);
+  EXPECT_FALSE(keys.bind(Command::again, Key::n)) << "taken";
+  for (const Key fixed : {Key::enter, Key::left, Key::escape, Key::tab, Key::help, Key::plus})
+    EXPECT_FALSE(keys.bind(Command::again, fixed));
+  EXPECT_EQ(keys, KeyBindings());
+  ASSERT_TRUE(keys.bind(Command::again, Key::q));
+  EXPECT_EQ(keys.meaning(Key::q), Key::r) << "a screen knows it by its first letter";
+  EXPECT_EQ(keys.meaning(Key::r), std::nullopt);
+  EXPECT_EQ(keys.meaning(Key::up), Key::up);
+  EXPECT_TRUE(keys.bind(Command::again, Key::q)) << "again the same";
+}
+
+TEST(KeyBindings, AreWrittenAndRead) {
+  KeyBindings keys;
+  ASSERT_TRUE(keys.bind(Command::again, Key::z));
+  ASSERT_TRUE(keys.bind(Command::next, Key::r));
+  const auto read = KeyBindings::from_pairs(keys.to_pairs());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read.value(), keys);
+  EXPECT_EQ(KeyBindings::from_pairs({}).value(), KeyBindings());
+  EXPECT_TRUE(KeyBindings::from_pairs({{"again", "n"}, {"next", "r"}})) << "places changed";
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  for (const Pairs& wrong : {Pairs{{"again", "n"}}, Pairs{{"again", "a"}, {"again", "b"}},
+                             Pairs{{"jump", "a"}}, Pairs{{"next", "A"}}, Pairs{{"next", ""}},
+                             Pairs{{"next", "ab"}}, Pairs{{"again", "x"}, {"next", "x"}}})
+    EXPECT_FALSE(KeyBindings::from_pairs(wrong));
+}
+
+TEST(Keyboard, CallsKeysByWhatIsPrintedOnThem) {
+  app::Keyboard keyboard;
+  EXPECT_EQ(keyboard.name(Command::again), "R");
+  keyboard.label = [](Key key) { return key == Key::r ? "Ř" : ""; };
+  EXPECT_EQ(keyboard.name(Command::again), "Ř");
+  EXPECT_EQ(keyboard.name(Command::next), "N");
+}
+
+class KeysTest : public testing::Test {
+ protected:
+  void type(std::string_view text) { game.app().event(app::TextTyped{std::string(text)}); }
+  Player game{app::Language::english, 800, 600};
+};
+
+TEST_F(KeysTest, HelpIsThereAnywhereAndGoesByAnyOfItsWays) {
+  for (const bool in_game : {false, true}) {
+    if (in_game) game.key(Key::enter);
+    const std::string before = game.title();
+    type("?");
+    EXPECT_TRUE(game.says("Help"));
+    type("?");
+    EXPECT_EQ(game.title(), before);
+    game.key(Key::help);
+    EXPECT_TRUE(game.says("Help"));
+    game.key(Key::escape);
+    EXPECT_EQ(game.title(), before);
+    game.key(Key::help);
+    game.click({400, 300});
+    EXPECT_EQ(game.title(), before);
+    game.app().event(app::PadPressed{app::PadButton::y});
+    EXPECT_TRUE(game.says("Help"));
+    game.app().event(app::PadPressed{app::PadButton::b});
+    EXPECT_EQ(game.title(), before);
+  }
+}
+
+TEST_F(KeysTest, TheGameWaitsWhileHelpIsRead) {
+  game.key(Key::enter);
+  game.key(Key::enter);
+  game.key(Key::enter);
+  ASSERT_TRUE(game.says("watches"));
+  game.key(Key::help);
+  EXPECT_FALSE(game.app().animating());
+  game.pass(std::chrono::seconds{100});
+  game.key(Key::escape);
+  EXPECT_TRUE(game.says("watches"));
+}
+
+TEST_F(KeysTest, ACommandIsPutOnAnotherLetter) {
+  game.key(Key::help);
+  game.press("Keys…");
+  EXPECT_TRUE(game.says("Keys"));
+  game.press("Start again");
+  EXPECT_TRUE(game.shows("press a letter"));
+  game.key(Key::tab);
+  EXPECT_TRUE(game.shows("Only letters"));
+  game.key(Key::n);
+  EXPECT_TRUE(game.shows("taken"));
+  game.key(Key::q);
+  EXPECT_TRUE(game.shows("repeat: Q"));
+  game.key(Key::escape);
+  EXPECT_TRUE(game.shows("Q"));
+  game.key(Key::escape);
+
+  game.key(Key::enter);
+  for (int i = 0; i < 2; ++i) game.key(Key::enter);
+  game.pass(std::chrono::milliseconds{100});
+  game.key(Key::r);
+  EXPECT_TRUE(game.says("watches")) << "R does nothing any more";
+  game.key(Key::q);
+  EXPECT_TRUE(game.says("Start again?"));
+  game.key(Key::escape);
+
+  game.key(Key::help);
+  game.press("Keys…");
+  game.press("Defaults");
+  EXPECT_TRUE(game.shows("repeat: R"));
+}
+
+TEST_F(KeysTest, LabelsAreThoseOfThePlayersKeyboard) {
+  game.app().name_keys([](Key key) { return key == Key::n ? "Й" : ""; });
+  game.key(Key::help);
+  EXPECT_TRUE(game.shows("Й"));
+}
+
+TEST_F(KeysTest, ButtonsTellWhatTheyDo) {
+  EXPECT_FALSE(game.shows("A game for two"));
+  game.key(Key::tab);
+  EXPECT_TRUE(game.shows("A game for two"));
+  game.key(Key::tab);
+  EXPECT_TRUE(game.shows("can be taken back"));
+  game.app().event(app::PointerMoved{{1, 1}});
+  game.key(Key::enter);
+  ASSERT_TRUE(game.says("practice"));
+  EXPECT_FALSE(game.shows("Leaves the game"));
+  for (const app::Box& box : game.boxes())
+    if (box.text == "Close") game.app().event(app::PointerMoved{box.area.center()});
+  EXPECT_TRUE(game.shows("Leaves the game"));
+  game.key(Key::help);
+  EXPECT_FALSE(game.shows("Leaves the game")) << "what lies beneath tells nothing";
+}
+
+TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
+  game.app().teach_beginners();
+  EXPECT_FALSE(game.shows("Pull it back"));
+  game.key(Key::enter);
+  EXPECT_TRUE(game.shows("Pull it back"));
+  game.app().event(app::PointerMoved{{300, 300}});
+  EXPECT_TRUE(game.shows("Pull it back"));
+  game.key(Key::left);
+  EXPECT_FALSE(game.shows("Pull it back"));
+  EXPECT_TRUE(game.shows("°")) << "and what was done counts";
+
+  app::MemoryStore store;
+  ASSERT_TRUE(store.save("replays/a.json", "{}"));
+  Player knows(app::Language::english, 800, 600, {}, store);
+  knows.app().teach_beginners();
+  knows.key(Key::enter);
+  EXPECT_FALSE(knows.shows("Pull it back"));
+}
+
+TEST_F(KeysTest, WhoDoesNothingIsToldWhatToDo) {
+  using std::chrono::seconds;
+  game.app().rest(seconds{25});
+  EXPECT_FALSE(game.shows("Your turn")) << "there is no ball";
+  game.key(Key::enter);
+  game.pass(seconds{3});
+  game.app().rest(seconds{16});
+  EXPECT_FALSE(game.shows("Your turn"));
+  EXPECT_FALSE(game.app().animating());
+  game.app().rest(seconds{1});
+  EXPECT_TRUE(game.shows("Your turn"));
+  EXPECT_TRUE(game.app().animating());
+  game.pass(seconds{4});
+  EXPECT_TRUE(game.shows("Your turn"));
+  EXPECT_FALSE(game.app().animating()) << "an idle window rests";
+  game.key(Key::left);
+  EXPECT_FALSE(game.shows("Your turn"));
+}
+
+}  // namespace
