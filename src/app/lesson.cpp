@@ -60,12 +60,10 @@ void draw_lesson(Canvas& canvas, const Call& call, const Words& words) {
   const bool low = call.at.y < world.center().y - 1;
   Rect panel{window.center().x - width / 2,
              low ? world.bottom() - height - canvas.px(8) : world.y + canvas.px(8), width, height};
-  // In a low window it stands beside the ball.
-  const float reach = call.radius + canvas.px(24);
-  if (panel.overlaps(centered(call.at, 2 * reach, 2 * reach))) {
-    panel.w = std::min(panel.w, window.right() - call.at.x - reach - canvas.px(8));
-    panel.x = window.right() - panel.w - canvas.px(8);
-  }
+  // In a low window rather over the bar than over the ball.
+  const float reach = call.radius + canvas.px(20);
+  if (panel.overlaps(centered(call.at, 2 * reach, 2 * reach)))
+    panel.y = std::max(call.at.y - reach - height, canvas.px(4));
   fill_rounded(canvas.list, panel.moved({0, canvas.px(4)}), canvas.px(12), palette::shadow,
                canvas.px(12));
   fill_rounded(canvas.list, panel, canvas.px(12), faded(palette::slate_bottom, 0.94f));

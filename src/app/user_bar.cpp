@@ -51,7 +51,7 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   Rect rest = centered(area.center(), std::min(area.w, view.px(1120)), area.h).inset(gap);
   if (view.touch && view.wide()) {
     for (const auto& [index, width] :
-         {std::pair{close, 104.0f}, {restart, 120.0f}, {settings, touch_gear_width}}) {
+         {std::pair{close, 104.0f}, {restart, 136.0f}, {settings, touch_gear_width}}) {
       buttons_.place(index, rest.cut_right(view.px(width)));
       rest.cut_right(gap);
     }

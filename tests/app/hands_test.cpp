@@ -289,6 +289,7 @@ TEST_F(Hands, AFingerTurnsAndTheButtonShoots) {
     else
       tap(cue);
     EXPECT_EQ(table().game().phase(), billiards::Phase::roll);
+    game.pass(100ms);
     tap("Close");
     tap("Leave");
   }
