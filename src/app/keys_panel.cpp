@@ -84,7 +84,8 @@ void KeysPanel::draw(Canvas& canvas) const {
   label(canvas, head_, {Face::black, 28, palette::cream, Align::center}, words_(Text::keys_title));
   buttons_.draw(canvas, 18);
   label(canvas, foot_,
-        {Face::regular, 16, message_.empty() ? palette::muted : palette::refused, Align::center},
+        {Face::regular, 16, message_.empty() ? palette::muted : canvas.list.palette->refused,
+         Align::center},
         message_.empty() ? words_(Text::hint_keys_panel) : message_);
 }
 

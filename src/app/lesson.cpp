@@ -82,7 +82,7 @@ void draw_lesson(Canvas& canvas, const Call& call, const Words& words) {
 }
 
 void draw_nudge(Canvas& canvas, const Call& call, float phase, const Words& words) {
-  if (phase < 1) {
+  if (phase < 1 && !canvas.calm) {
     const float wave = phase * 4 - std::floor(phase * 4);  // four times
     stroke_circle(canvas.list, call.at, call.radius * (1.4f + 3 * wave), canvas.px(3),
                   faded(palette::brass_lit, 1 - wave));

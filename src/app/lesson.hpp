@@ -11,7 +11,8 @@ namespace app {
 /// not.
 void draw_lesson(Canvas& canvas, const Call& call, const Words& words);
 
-/// Rings that go out from the ball, and what to do with it. `phase` in [0, 1]; 1: no rings.
+/// Rings that go out from the ball, unless the canvas is calm, and what to do with it. `phase` in
+/// [0, 1]; 1: no rings.
 void draw_nudge(Canvas& canvas, const Call& call, float phase, const Words& words);
 
 }  // namespace app
