@@ -39,7 +39,7 @@ void draw_picture(Canvas& canvas, const Rect& box, int number) {
   if (number == 1)
     for (const float side : {-1.0f, 1.0f})
       line(list, ball + Point{0, r * side * 0.9f}, hand, r * 0.2f, palette::brass);
-  draw_ball(list, ball, r, ivory_ball);
+  draw_ball(list, ball, r, BallKind::ivory);
   if (number == 0) draw_touch(list, ball + Point{r * 0.2f, r * 0.3f}, r * 0.7f);
   if (number == 1) draw_touch(list, hand, r * 0.7f);
   if (number == 2) {
