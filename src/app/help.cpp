@@ -17,15 +17,15 @@ struct Section {
   Text lines;
 };
 constexpr std::array sections{Section{Text::help_aim_title, Text::help_aim},
+                              Section{Text::help_menu_title, Text::help_menu},
+                              Section{Text::help_replay_title, Text::help_replay},
                               Section{Text::help_game_title, Text::help_game},
                               Section{Text::help_mouse_title, Text::help_mouse},
                               Section{Text::help_touch_title, Text::help_touch},
-                              Section{Text::help_pad_title, Text::help_pad},
-                              Section{Text::help_menu_title, Text::help_menu},
-                              Section{Text::help_replay_title, Text::help_replay}};
+                              Section{Text::help_pad_title, Text::help_pad}};
 
 // Units.
-constexpr float line_height = 23;
+constexpr float line_height = 22;
 constexpr float title_height = 30;
 constexpr float column_gap = 24;
 constexpr float least_column = 300;

@@ -17,8 +17,8 @@ constexpr float panel_height = 168;
 
 /// The hand that does it: a finger's tip, seen as a ring.
 void draw_touch(DrawList& list, Point at, float radius) {
-  fill_disc(list, at, radius, faded(palette::brass_lit, 0.55f));
-  stroke_circle(list, at, radius, radius * 0.2f, palette::brass_lit);
+  fill_disc(list, at, radius, faded(palette::brass, 0.7f));
+  stroke_circle(list, at, radius, radius * 0.25f, palette::walnut);
 }
 
 void draw_arrow(DrawList& list, Point from, Point to, float width) {
@@ -31,9 +31,11 @@ void draw_arrow(DrawList& list, Point from, Point to, float width) {
 
 void draw_picture(Canvas& canvas, const Rect& box, int number) {
   DrawList& list = canvas.list;
-  const float r = std::min(box.h * 0.19f, box.w * 0.1f);
+  const float r = std::min(box.h * 0.22f, box.w * 0.12f);
   const Point middle = box.center();
-  const Point ball = middle + Point{number == 0 ? 0 : r * 0.8f, number == 2 ? -r * 0.4f : 0};
+  // What happens is in the middle: the ball alone, with the hand, with its way.
+  const std::array aside{0.0f, 1.4f, -1.8f};
+  const Point ball = middle + Point{r * aside[static_cast<std::size_t>(number)], 0};
   const Point hand = ball + Point{-r * 3.2f, r * 1.2f};
   draw_ball_shadow(list, ball, r);
   if (number == 1)

@@ -314,7 +314,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
       "buttons\nStart\tPause\nY\tThis help",
       "Croix\tAller, viser\nA, B\tChoisir ou tirer, retour\nStick gauche\tTourner, porter la "
       "boule\nStick droit\tForce ; gâchettes aussi\nLB, RB\tTourner de 0,1°\nX, View\tVers les "
-      "boutons\nY\tCette aide"}},
+      "boutons\nStart\tPause\nY\tCette aide"}},
     {Text::keys_title, {"Keys", "Touches"}},
     {Text::key_again, {"Start again, repeat", "Recommencer, répéter"}},
     {Text::key_next, {"Next throw", "Lancer suivant"}},
