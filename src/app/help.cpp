@@ -39,9 +39,12 @@ constexpr float key_share = 0.36f;  ///< of a column
 Help::Help(const Words& words, Keyboard& keyboard)
     : words_(words),
       keyboard_(keyboard),
-      buttons_({"‹", "›", words(Text::change_keys), words(Text::close)}, close) {
-  buttons_.explain(previous, words(Text::tip_page));
-  buttons_.explain(next, words(Text::tip_page));
+      buttons_({words(Text::change_keys), words(Text::close)}, close),
+      pager_({"‹", "›"}) {
+  buttons_.explain(keys, words(Text::tip_keys));
+  buttons_.explain(close, words(Text::tip_close_help));
+  pager_.explain(previous, words(Text::tip_page));
+  pager_.explain(next, words(Text::tip_page));
 }
 
 void Help::resize(const View& view) {
@@ -55,7 +58,7 @@ void Help::resize(const View& view) {
   Rect row = rest.cut_bottom(view.px(button_height));
   const float gap = view.px(8);
   for (const auto& [button, width] : {std::pair{previous, 56.0f}, {next, 56.0f}}) {
-    buttons_.place(button, row.cut_left(view.px(width)));
+    pager_.place(button, row.cut_left(view.px(width)));
     row.cut_left(gap);
   }
   const float half = std::min((row.w - gap) / 2, view.px(150));
@@ -129,25 +132,22 @@ bool Help::event(const Input& input) {
     turn(is_key(input, Key::right) ? 1 : pages_ - 1);
     return true;
   }
+  const bool several = pages_ > 1;
+  if (Buttons::move_focus({several ? &pager_ : nullptr, &buttons_}, input)) return true;
   const auto* released = std::get_if<PointerReleased>(&input);
-  const bool beside = released && !buttons_.cover(released->at, true);
+  const bool beside = released && !buttons_.cover(released->at, true) &&
+                      !(several && pager_.cover(released->at, true));
+  if (const auto turned = several ? pager_.event(input) : std::nullopt) {
+    turn(*turned == next ? 1 : pages_ - 1);
+    return true;
+  }
+  if (several && pager_.has_focus() && is_key(input, Key::enter)) return true;
   const auto chosen = buttons_.event(input);
   if (!chosen) return !beside;
-  switch (static_cast<Button>(*chosen)) {
-    case previous:
-      turn(pages_ - 1);
-      return true;
-    case next:
-      turn(1);
-      return true;
-    case keys:
-      panel_.emplace(words_, keyboard_);
-      panel_->resize(view_, frame_.inset(view_.px(16), view_.px(10)));
-      return true;
-    case close:
-      break;
-  }
-  return false;
+  if (*chosen == close) return false;
+  panel_.emplace(words_, keyboard_);
+  panel_->resize(view_, frame_.inset(view_.px(16), view_.px(10)));
+  return true;
 }
 
 void Help::draw(Canvas& canvas) const {
@@ -176,9 +176,8 @@ void Help::draw(Canvas& canvas) const {
           {Face::bold, 16, palette::cream}, line.key);
     label(canvas, rest, {Face::regular, 16, palette::muted}, line.what);
   }
-  for (std::size_t i = pages_ > 1 ? std::size_t{previous} : std::size_t{keys}; i < buttons_.size();
-       ++i)
-    buttons_.draw_one(canvas, i, 18);
+  if (pages_ > 1) pager_.draw(canvas, 18);
+  buttons_.draw(canvas, 18);
 }
 
 std::string Help::describe() const {

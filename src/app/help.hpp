@@ -30,7 +30,8 @@ class Help {
     std::string key;   ///< of a title the only text
     std::string what;  ///< empty: a title
   };
-  enum Button : std::size_t { previous, next, keys, close };
+  enum Button : std::size_t { keys, close };
+  enum Pager : std::size_t { previous, next };
 
   void lay_out();
   void turn(std::size_t by);
@@ -39,6 +40,7 @@ class Help {
   Keyboard& keyboard_;
   View view_;
   Buttons buttons_;
+  Buttons pager_;  ///< there if there are several pages
   std::optional<KeysPanel> panel_;
   std::vector<Line> lines_;
   std::size_t page_ = 0;

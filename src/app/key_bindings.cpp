@@ -38,6 +38,7 @@ std::optional<Key> KeyBindings::meaning(Key pressed) const {
 
 std::vector<std::pair<std::string, std::string>> KeyBindings::to_pairs() const {
   std::vector<std::pair<std::string, std::string>> pairs;
+  pairs.reserve(all_commands.size());
   for (const Command command : all_commands)
     pairs.emplace_back(names[static_cast<std::size_t>(command)],
                        std::string(1, letter(key_of(command))));

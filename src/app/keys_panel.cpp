@@ -52,16 +52,10 @@ bool KeysPanel::event(const Input& input) {
   const auto* key = std::get_if<KeyPressed>(&input);
   if (wanted_ && key) {
     const Command command = *std::exchange(wanted_, std::nullopt);
-    if (key->key == Key::escape) {
-      message_.clear();
-    } else if (!is_letter(key->key)) {
-      message_ = words_(Text::key_no_letter);
+    message_.clear();
+    if (key->key != Key::escape && !keyboard_.bindings.bind(command, key->key)) {
+      message_ = words_(is_letter(key->key) ? Text::key_taken : Text::key_no_letter);
       wanted_ = command;
-    } else if (!keyboard_.bindings.bind(command, key->key)) {
-      message_ = words_(Text::key_taken);
-      wanted_ = command;
-    } else {
-      message_.clear();
     }
     relabel();
     return true;

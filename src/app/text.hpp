@@ -212,6 +212,8 @@ enum class Text : std::uint16_t {
   tip_practice_levels,
   tip_title,
   tip_page,
+  tip_keys,
+  tip_close_help,
   tip_paste,
   tip_previous_turn,
   tip_following_turn,

@@ -78,6 +78,29 @@ TEST_F(KeysTest, HelpIsThereAnywhereAndGoesByAnyOfItsWays) {
   }
 }
 
+TEST_F(KeysTest, HelpIsReadByKeysAlone) {
+  for (const bool several : {false, true}) {
+    Player reader(app::Language::english, several ? 800 : 1280, several ? 600 : 720);
+    reader.key(Key::help);
+    EXPECT_EQ(reader.shows("Page 1"), several);
+    if (several) {
+      reader.key(Key::right);
+      EXPECT_TRUE(reader.shows("Page 2"));
+      reader.key(Key::tab);
+      reader.key(Key::enter);
+      EXPECT_TRUE(reader.shows("Page 1"));
+      reader.key(Key::tab);
+    }
+    reader.key(Key::tab);
+    reader.key(Key::enter);
+    EXPECT_TRUE(reader.says("Keys")) << "no button that is not there has the focus";
+    reader.key(Key::escape);
+    reader.key(Key::tab);
+    reader.key(Key::enter);
+    EXPECT_TRUE(reader.says("title screen"));
+  }
+}
+
 TEST_F(KeysTest, TheGameWaitsWhileHelpIsRead) {
   game.key(Key::enter);
   game.key(Key::enter);
