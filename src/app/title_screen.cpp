@@ -74,6 +74,8 @@ Text TitleScreen::tip_of(Choice choice) {
       return Text::tip_replays;
     case Choice::settings:
       return Text::tip_settings;
+    case Choice::open_file:
+      return Text::open_file;
     case Choice::quit:
       break;
   }
