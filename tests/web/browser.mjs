@@ -2,7 +2,7 @@
 //   import { withPage, check } from "./browser.mjs";
 //   await withPage({ width: 1280, height: 720 }, async (game) => { await game.click(220, 383); … });
 
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -15,6 +15,11 @@ const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-ru
   "--disable-background-networking", "--disable-component-update", "--disable-sync",
   "--use-gl=swiftshader", "--enable-unsafe-swiftshader"];
 const patience = 60_000; // ms; only a test that fails waits so long
+
+// The command line as the desktop has it: what it prints.
+export function carom(...words) {
+  return execFileSync(join(root, "build/release/carom"), words, { encoding: "utf8" });
+}
 
 export function check(condition, message) {
   if (!condition) throw new Error(message);
@@ -38,10 +43,22 @@ class Game {
     this.address = address;
     this.errors = [];
     page.on("pageerror", (error) => this.errors.push(error.message));
+    page.on("console", (message) => {
+      if (message.type() === "error") this.errors.push(message.text());
+    });
   }
   async open(link = "") {
+    await this.page.goto("about:blank"); // a link alone would load nothing anew
     await this.page.goto(this.address + link);
+    await this.ready();
+  }
+  async reload() {
+    await this.page.reload();
+    await this.ready();
+  }
+  async ready() {
     await this.page.waitForSelector("body[data-ready]", { timeout: patience });
+    await this.waitFor("Angry Balls · ");
   }
   async at(x, y) {
     const box = await this.page.locator("#canvas").boundingBox();
@@ -50,7 +67,36 @@ class Game {
   async click(x, y) { await this.page.mouse.click(...await this.at(x, y)); }
   async tap(x, y) { await this.page.touchscreen.tap(...await this.at(x, y)); }
   async move(x, y) { await this.page.mouse.move(...await this.at(x, y)); }
-  async press(key) { await this.page.keyboard.press(key); }
+  async press(...keys) { for (const key of keys) await this.page.keyboard.press(key); }
+  async type(text) { await this.page.keyboard.type(text); }
+  // Aims by two numbers, which may be known to be good ones, and launches.
+  async launch(degrees, speed) {
+    await this.type(String(degrees));
+    await this.press("Tab");
+    await this.type(String(speed));
+    await this.press("Enter", "Enter");
+  }
+  // Drops a file on the canvas, as the browser tells of one.
+  async drop(name, content) {
+    const data = await this.page.evaluateHandle(([name, content]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([content], name, { type: "application/json" }));
+      return data;
+    }, [name, content]);
+    await this.page.dispatchEvent("#canvas", "drop", { dataTransfer: data });
+  }
+  // What the game has kept under a name in the browser's storage; null for nothing.
+  async stored(name) {
+    return this.page.evaluate((key) => localStorage.getItem(key), `angry-balls/${name}`);
+  }
+  // Asks until the answer is yes.
+  async until(question) {
+    const end = Date.now() + patience;
+    while (!(await question())) {
+      check(Date.now() < end, `waited in vain; the page says: ${await this.live()}`);
+      await this.page.waitForTimeout(50);
+    }
+  }
   // What the page says to those who do not see the canvas.
   async live() { return this.page.locator("#live").textContent(); }
   async waitFor(...texts) {
@@ -71,7 +117,7 @@ export async function withPage({ width = 1280, height = 720, ...options }, play)
     const context = await browser.newContext(
       { viewport: { width, height }, locale: "en-GB", ...options });
     const game = new Game(await context.newPage(), server.address);
-    await play(game, context);
+    await play(game, context, server);
     check(game.errors.length === 0, `the page has errors: ${game.errors.join("; ")}`);
   } finally {
     await browser.close();

@@ -1,0 +1,40 @@
+// The page around the game: words for those who do not see the canvas, a focus that leaves it,
+// less motion where that is asked for, the player's language.
+
+import { join } from "node:path";
+import { carom, check, root, withPage } from "./browser.mjs";
+
+const replay = carom("replay", "--text", join(root, "tests/replays/billiards-whole.json")).trim();
+
+await withPage({ width: 1280, height: 720 }, async (game, context) => {
+  const focused = () => game.page.evaluate(() => document.activeElement.id);
+  await game.open();
+  check(await focused() === "canvas", "the game has no focus at the start");
+  await game.press("Tab", "Tab");
+  check(await focused() === "canvas", "Tab alone is the game's");
+  await game.press("Escape", "Tab");
+  check(await focused() === "file", `Escape, Tab leads to ${await focused()}`);
+  await game.press("Shift+Tab");
+  check(await focused() === "canvas", "there is no way back to the game");
+  await game.press("Escape", "Shift+Tab");
+  check(await focused() !== "canvas", "there is no way out backwards");
+  const live = await game.page.evaluate(() => {
+    const region = document.getElementById("live");
+    return [region.getAttribute("role"), region.getAttribute("aria-live"), region.hidden];
+  });
+  check(live.join() === "status,polite,false", `the live region is ${live}`);
+
+  // Balls leave trails, unless less motion is asked for.
+  const rolling = async (reducedMotion) => {
+    await game.page.emulateMedia({ reducedMotion });
+    await game.open(`#replay=${replay}`);
+    await game.waitFor("Verified");
+    await game.press("Space", "ArrowLeft");
+    await game.waitFor("Turn 1 of 101 · player 1 · paused");
+    for (let step = 0; step < 12; ++step) await game.press(".");
+    return game.page.screenshot({ clip: { x: 178, y: 138, width: 925, height: 300 } });
+  };
+  const lively = await rolling("no-preference");
+  check(lively.equals(await rolling("no-preference")), "two pictures of the same differ");
+  check(!lively.equals(await rolling("reduce")), "reduced motion changes nothing");
+});
