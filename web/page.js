@@ -128,7 +128,9 @@ new MutationObserver(() => { part("live").textContent = document.title; })
 let leaving = false;
 canvas.addEventListener("keydown", (event) => {
   const pasting = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "v";
-  const own = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "c";
+  // Control itself, too: else the game would take the C for a bare one.
+  const own = event.key === "Control" ||
+    ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "c");
   // Keys of the browser's stay its own; a paste comes as an event of its own.
   const foreign = (event.ctrlKey || event.metaKey || event.altKey) && !own;
   const leaves = event.key === "Tab" && leaving;

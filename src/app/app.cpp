@@ -56,7 +56,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
 
 void App::event(const Input& input) {
   if (const auto* resized = std::get_if<Resized>(&input)) {
-    view_ = View::of(resized->width, resized->height);
+    view_ = View::of(resized->width, resized->height, resized->density);
     view_.touch = touch_;
     font_.clear();  // the sizes in use have changed
     screen_->resize(view_);

@@ -71,6 +71,7 @@ struct TextTyped {
 struct Resized {
   int width = 800;
   int height = 600;
+  float density = 1;  ///< px a point of the screen, as View::of() takes it
 };
 
 /// One of several fingers; screens get what it means for the pointer (fingers.hpp).

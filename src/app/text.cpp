@@ -24,7 +24,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::waiting, {"Waiting", "En attente"}},
     {Text::balls_left, {"Balls left", "Boules"}},
     {Text::this_turn, {"This turn", "Ce tour"}},
-    {Text::restart, {"Restart", "Recommencer"}},
+    {Text::restart, {"Restart", "Rejouer"}},
     {Text::close, {"Close", "Fermer"}},
     {Text::retry, {"Try again", "Réessayer"}},
     {Text::hint_take_cue_ball,

@@ -2,11 +2,11 @@
 
 namespace app {
 
-View View::of(int width, int height) {
+View View::of(int width, int height, float density) {
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
-  // Below 0.875 the smallest text, 16 units, would come out under 14 px.
-  const float scale = std::clamp(std::min(w / 800, h / 600), 0.875f, 8.0f);
+  // Below 0.875 the smallest text, 16 units, would come out under 14 points.
+  const float scale = std::clamp(std::min(w / 800, h / 600), 0.875f * density, 8.0f);
   return {w, h, scale, false};
 }
 

@@ -12,7 +12,9 @@ struct View {
   float scale = 1;     ///< px a unit
   bool touch = false;  ///< fingers are used: what they press is larger
 
-  static View of(int width, int height);
+  /// `density`: pixels a point of the screen, above 1 on fine displays; nothing is drawn smaller in
+  /// points because of it.
+  static View of(int width, int height, float density = 1);
 
   float px(float units) const { return std::round(units * scale); }
   Rect area() const { return {0, 0, width, height}; }

@@ -150,7 +150,7 @@ class SdlWindow final : public GameWindow {
     if (width <= 0 || height <= 0 || points_wide <= 0 || points_high <= 0) return;  // minimised
     across_ = static_cast<float>(width) / static_cast<float>(points_wide);
     down_ = static_cast<float>(height) / static_cast<float>(points_high);
-    app_.event(app::Resized{width, height});
+    app_.event(app::Resized{width, height, across_});
   }
 
   app::Point pixel(int x, int y) const {

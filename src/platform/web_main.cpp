@@ -1,3 +1,4 @@
+#include <SDL.h>
 #include <cstdlib>
 #include <cstring>
 #include <emscripten.h>
@@ -84,6 +85,8 @@ EMSCRIPTEN_KEEPALIVE void web_paste(char* text, std::size_t size) {
 }  // extern "C"
 
 int main() {
+  // Keys elsewhere on the page are the browser's: else Tab would go nowhere there.
+  SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   auto opened =
       platform::open_window({.language = {app::language_of_locale(taken(page_language()))},
                              .least_width = 1,  // the page is as large as it is

@@ -22,7 +22,8 @@ struct Size {
 };
 constexpr Size sizes[] = {{800, 600},  {1280, 720}, {1920, 1080}, {500, 900},
                           {1600, 500}, {480, 360},  {700, 1300},  {3840, 2160},
-                          {1024, 768}, {760, 601},  {667, 480},   {2560, 1080}};
+                          {1024, 768}, {760, 601},  {667, 480},   {2560, 1080},
+                          {390, 844},  {844, 390}};
 
 const std::array<std::string, 2> long_names{"Maximilienne-Wilhelmine W",
                                             "WWWWWWWWWWWWWWWWWWWWWWWW"};

@@ -157,7 +157,7 @@ TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
     game.press("Language");
     game.key(Key::escape);
     for (const char* label : level ? std::array{"Réessayer", "Menu", "Réglages"}
-                                   : std::array{"Recommencer", "Fermer", "Répéter"})
+                                   : std::array{"Rejouer", "Fermer", "Répéter"})
       EXPECT_TRUE(game.shows(label)) << label;
     game.key(Key::settings);
     game.press("Langue");

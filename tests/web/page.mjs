@@ -1,5 +1,5 @@
 // The page around the game: words for those who do not see the canvas, a focus that leaves it,
-// less motion where that is asked for, the player's language.
+// sound that waits for the player, less motion where that is asked for.
 
 import { join } from "node:path";
 import { carom, check, root, withPage } from "./browser.mjs";
@@ -23,6 +23,14 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
     return [region.getAttribute("role"), region.getAttribute("aria-live"), region.hidden];
   });
   check(live.join() === "status,polite,false", `the live region is ${live}`);
+
+  // Sound waits for the player: the balls of a link have clicked before.
+  await game.open(`#replay=${replay}`);
+  const sound = () => game.page.evaluate(() => Module.SDL2.audioContext?.state);
+  await game.until(sound);
+  check(await sound() === "suspended", `sound is ${await sound()} before a gesture`);
+  await game.click(640, 300);
+  await game.until(async () => await sound() === "running");
 
   // Balls leave trails, unless less motion is asked for.
   const rolling = async (reducedMotion) => {
