@@ -437,7 +437,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::hint_paused,
      {"Click, or press any key, to go on.", "Cliquez, ou une touche, pour continuer."}},
     {Text::paused_state, {"paused: {0}", "en pause : {0}"}},
-    {Text::open_file, {"Open a file", "Ouvrir un fichier"}},
+    {Text::open_file, {"Open a file", "Ouvrir…"}},
     {Text::link_refused, {"This link cannot be opened", "Ce lien est illisible"}},
     {Text::link_damaged,
      {"It is damaged, or not whole: copy it again.",

@@ -14,7 +14,7 @@ const { chromium } = createRequire(join(root, "build/web-tests/package.json"))("
 const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync",
   "--use-gl=swiftshader", "--enable-unsafe-swiftshader"];
-const patience = 60_000; // ms; only a test that fails waits so long
+export const patience = 60_000; // ms; only a test that fails waits so long
 
 // The command line as the desktop has it: what it prints.
 export function carom(...words) {
