@@ -90,7 +90,11 @@ void ReplayScreen::resize(const View& view) {
   Rect row = bottom.cut_top(view.px(40));
   bottom.cut_top(view.px(4));
   hint_ = bottom.cut_bottom(view.px(26));
-  const auto controls_width = view.px(76 + 84 + 64 + 76 + 44 + 52 + 44) + 6 * gap;
+  const float between = std::min(gap, row.w * 0.008f);
+  const float wanted = view.px(76 + 84 + 64 + 76 + 44 + 52 + 44) + 6 * between;
+  // On a phone all of them are narrower together.
+  const float part = std::min(1.0f, (row.w - 6 * between) / (wanted - 6 * between));
+  const float controls_width = std::min(wanted, row.w);
   if (tight(view)) {
     status_ = bottom;
     turn_ = status_.cut_left(std::round(status_.w * 0.54f));
@@ -104,8 +108,8 @@ void ReplayScreen::resize(const View& view) {
     row.cut_right(gap);
   }
   const auto next = [&](float units) {
-    const Rect box = row.cut_left(view.px(units));
-    row.cut_left(gap);
+    const Rect box = row.cut_left(view.px(units) * part);
+    row.cut_left(between);
     return box;
   };
   buttons_.place(previous, next(76));

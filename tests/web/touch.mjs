@@ -3,17 +3,17 @@
 
 import { check, withPage } from "./browser.mjs";
 
-await withPage({ width: 1280, height: 720, deviceScaleFactor: 2, hasTouch: true, isMobile: true },
+await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, isMobile: true },
   async (game, context) => {
     const client = await context.newCDPSession(game.page);
     const touch = (type, ...points) => client.send("Input.dispatchTouchEvent",
       { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
     await game.open();
     await game.waitFor("title screen");
-    await game.tap(144, 402); // Billiards
+    await game.tap(104, 199); // Billiards
     await game.waitFor("Player 1 aims");
-    await touch("touchStart", [418, 379]);
-    for (let x = 400; x >= 160; x -= 40) await touch("touchMove", [x, 377]);
+    await touch("touchStart", [259, 208]);
+    for (let x = 240; x >= 60; x -= 20) await touch("touchMove", [x, 207]);
     check((await game.live()).includes("Player 1 aims"), "shot before the finger is lifted");
     await touch("touchEnd");
     await game.waitFor("Player 1 watches");
@@ -21,7 +21,7 @@ await withPage({ width: 1280, height: 720, deviceScaleFactor: 2, hasTouch: true,
     check(after.includes("balls left: 36") === after.includes("Player 1: 0"),
       `score and balls do not agree: ${after}`);
     check(await game.stored("continue-billiards.json"), "the game is not kept");
-    await client.send("Input.synthesizePinchGesture", { x: 640, y: 380, scaleFactor: 2 });
+    await client.send("Input.synthesizePinchGesture", { x: 320, y: 190, scaleFactor: 2 });
     const seen = await game.page.evaluate(
       () => ({ scale: visualViewport.scale, top: visualViewport.pageTop, y: scrollY }));
     check(seen.scale === 1 && seen.top === 0 && seen.y === 0,
