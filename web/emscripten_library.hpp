@@ -153,6 +153,14 @@ auto min_element(Range&& range, Less less = {}, Projection projection = {}) {
       });
 }
 
+template <class Range, class Less = std::less<>, class Projection = identity>
+auto max_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::max_element(
+      std::begin(range), std::end(range), [&](const auto& left, const auto& right) {
+        return less(std::invoke(projection, left), std::invoke(projection, right));
+      });
+}
+
 template <class Range, class T, class Less = std::less<>, class Projection = identity>
 auto upper_bound(Range&& range, const T& value, Less less = {}, Projection projection = {}) {
   return std::upper_bound(
