@@ -6,7 +6,13 @@ namespace platform {
 namespace {
 
 constexpr Uint64 patience = 10'000;  ///< ms of silence before the device is given back
-constexpr Uint16 samples = 512;      ///< 11 ms: what is seen and heard is felt as one
+#ifdef __EMSCRIPTEN__
+// Events of a page's sound that wait their turn still reach SDL after it has freed the device.
+constexpr bool closes = false;
+#else
+constexpr bool closes = true;
+#endif
+constexpr Uint16 samples = 512;  ///< 11 ms: what is seen and heard is felt as one
 
 }  // namespace
 
@@ -22,7 +28,7 @@ void Speaker::play(std::span<const app::SoundEvent> sounds, int volume) {
   SDL_UnlockAudioDevice(device_);
   if (!idle)
     last_heard_ = SDL_GetTicks64();
-  else if (SDL_GetTicks64() - last_heard_ > patience)
+  else if (closes && SDL_GetTicks64() - last_heard_ > patience)
     close();
 }
 

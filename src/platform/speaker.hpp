@@ -7,9 +7,9 @@
 
 namespace platform {
 
-/// The loudspeaker of the desktop or browser. Opened with the first sound, closed when nothing was
-/// heard for a while, so that silence costs nothing. Without one there is silence and no error.
-/// SDL must be there as long as it lives.
+/// The loudspeaker of the desktop or browser. Opened with the first sound; on the desktop closed
+/// when nothing was heard for a while, so that silence costs nothing. Without one there is silence
+/// and no error. SDL must be there as long as it lives.
 class Speaker {
  public:
   Speaker() = default;

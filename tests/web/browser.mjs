@@ -42,9 +42,12 @@ class Game {
     this.page = page;
     this.address = address;
     this.errors = [];
-    page.on("pageerror", (error) => this.errors.push(error.message));
+    page.on("pageerror", (error) => this.errors.push(error.stack ?? error.message));
     page.on("console", (message) => {
-      if (message.type() === "error") this.errors.push(message.text());
+      // The browser's own look at the icon of a page to be installed, from outside of the page.
+      if (message.type() !== "error" || message.location().url.endsWith("/icon.svg") ||
+        message.text().includes("/icon.svg'")) return;
+      this.errors.push(message.text());
     });
   }
   async open(link = "") {
@@ -118,7 +121,7 @@ export async function withPage({ width = 1280, height = 720, ...options }, play)
       { viewport: { width, height }, locale: "en-GB", ...options });
     const game = new Game(await context.newPage(), server.address);
     await play(game, context, server);
-    check(game.errors.length === 0, `the page has errors: ${game.errors.join("; ")}`);
+    check(game.errors.length === 0, `the page has errors: ${game.errors.slice(0, 5).join("; ")}`);
   } finally {
     await browser.close();
     server.stop();
