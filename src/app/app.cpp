@@ -148,7 +148,12 @@ void App::give_to_screen(const Input& input) {
       std::holds_alternative<PointerPressed>(input) || std::holds_alternative<KeyPressed>(input) ||
       std::holds_alternative<TextTyped>(input) || std::holds_alternative<WheelTurned>(input) ||
       std::holds_alternative<Steered>(input);
-  if (does && screen_->call()) session_.teach = false;
+  if (does && session_.teach && screen_->call()) {
+    session_.teach = false;
+    Settings settings = session_.settings.get();
+    settings.taught = true;
+    session_.settings.set(std::move(settings));
+  }
   go(screen_->event(input));
 }
 
@@ -171,7 +176,7 @@ bool App::animating() const {
 
 void App::teach_beginners() {
   const Campaign& campaign = session_.campaign;
-  session_.teach = !session_.kept.of(replay::Kind::billiards) &&
+  session_.teach = !session_.settings.get().taught && !session_.kept.of(replay::Kind::billiards) &&
                    !session_.kept.of(replay::Kind::angry_balls) && session_.saved.names().empty() &&
                    std::ranges::none_of(campaign.levels, [&](const Level& level) {
                      return campaign.best.of(level.identity).has_value();

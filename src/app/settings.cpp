@@ -99,6 +99,7 @@ void visit_all(Any& settings, Visit& visit) {
   visit("aiming", settings.aiming.way, ways);
   visit("preview", settings.aiming.preview, previews);
   visit("hints", settings.hints);
+  visit("taught", settings.taught);
   visit("names", settings.names);
   visit("breaks", settings.breaks, breakers);
   visit("keep-turn", settings.keep_turn);

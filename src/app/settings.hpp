@@ -40,6 +40,7 @@ struct Settings {
   /// As name_of() makes them; empty: "Player 1", "Player 2".
   std::array<std::string, 2> names;
   Breaks breaks = Breaks::player_1;
+  bool taught = false;     ///< has done something while it was shown how to shoot
   bool keep_turn = false;  ///< billiards: who scores plays on (games::billiards::Options)
 
   friend bool operator==(const Settings&, const Settings&) = default;

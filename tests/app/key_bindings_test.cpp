@@ -186,6 +186,17 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
   EXPECT_FALSE(knows.shows("Pull it back"));
 }
 
+TEST_F(KeysTest, TheLessonIsNotRepeatedAtTheNextStart) {
+  app::MemoryStore store;
+  for (const bool first : {true, false}) {
+    Player starts(app::Language::english, 800, 600, {}, store);
+    starts.app().teach_beginners();
+    starts.key(Key::enter);
+    EXPECT_EQ(starts.shows("Pull it back"), first);
+    starts.key(Key::left);
+  }
+}
+
 TEST_F(KeysTest, WhoDoesNothingIsToldWhatToDo) {
   using std::chrono::seconds;
   game.app().rest(seconds{25});

@@ -28,6 +28,7 @@ Settings all_changed() {
   settings.colours = app::Colours::high_contrast;
   settings.aiming = {app::PreviewLength::full, AimWay::turn};
   settings.hints = false;
+  settings.taught = true;
   settings.names = {"Zoé", "Émile le 2ᵉ"};
   settings.breaks = Breaks::loser;
   settings.keep_turn = true;
@@ -55,7 +56,8 @@ TEST(Settings, AreSavedAfterEveryChange) {
             "{\n  \"angry-balls-settings\": 1,\n  \"language\": \"fr\",\n  \"volume\": 35,\n"
             "  \"mute\": true,\n  \"reduced-motion\": \"off\",\n  \"screen-shake\": true,\n"
             "  \"colours\": \"high-contrast\",\n  \"aiming\": \"turn-then-power\",\n"
-            "  \"preview\": \"full\",\n  \"hints\": false,\n  \"names\": [\n    \"Zoé\",\n"
+            "  \"preview\": \"full\",\n  \"hints\": false,\n  \"taught\": true,\n  \"names\": [\n  "
+            "  \"Zoé\",\n"
             "    \"Émile le 2ᵉ\"\n  ],\n  \"breaks\": \"loser\",\n  \"keep-turn\": true\n}\n");
 }
 
