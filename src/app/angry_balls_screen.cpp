@@ -119,7 +119,7 @@ Transition AngryBallsScreen::event(const Input& input) {
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      if (played_.practise(*command, edited())) show_anew();
+      if (played_.practise(*command, aim_in(state_))) show_anew();
       return Transition::stay;
     }
   }
@@ -165,17 +165,6 @@ bool AngryBallsScreen::on_button() const {
          (played_.practice() && strip_.has_button_at(pointer_, touch_));
 }
 
-/// What is being aimed, to be changed; null when nothing is.
-Aim* AngryBallsScreen::edited() {
-  auto* launcher = std::get_if<Launcher>(&state_);
-  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
-}
-
-const Aim* AngryBallsScreen::aimed() const {
-  const auto* launcher = std::get_if<Launcher>(&state_);
-  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
-}
-
 Launcher::Stage AngryBallsScreen::stage() const {
   return {.lead = game().world().ball(0),
           .viewport = viewport_,
@@ -217,7 +206,7 @@ Transition AngryBallsScreen::finish(std::size_t button) {
       return obey(UserBar::Command::restart);
     case watch:
       if (played_.practice()) {
-        if (played_.practise(TakeBack{}, edited())) show_anew();
+        if (played_.practise(TakeBack{}, aim_in(state_))) show_anew();
         return Transition::stay;
       }
       session_.to_watch = played_.recorder().replay();

@@ -42,7 +42,7 @@ class AngryBallsScreen final : public Screen {
   const games::angry_balls::Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return viewport_; }
   /// What is being aimed; null when nothing is.
-  const Aim* aimed() const;
+  const Aim* aimed() const { return aim_in(state_); }
 
  private:
   // What the player is doing; it follows the game's phase.
@@ -70,7 +70,6 @@ class AngryBallsScreen final : public Screen {
   Transition obey(UserBar::Command command);
   Transition finish(std::size_t button);
   bool on_button() const;
-  Aim* edited();
   Launcher::Stage stage() const;
   const carom::World& shown_world() const;
   bool moving() const;

@@ -94,7 +94,7 @@ Transition BilliardsScreen::event(const Input& input) {
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
     if (const auto command = strip_.event(input)) {
-      if (played_.practise(*command, edited())) show_anew();
+      if (played_.practise(*command, aim_in(state_))) show_anew();
       return Transition::stay;
     }
   }
@@ -121,17 +121,6 @@ Transition BilliardsScreen::event(const Input& input) {
 bool BilliardsScreen::on_button() const {
   return bar_.has_button_at(pointer_, touch_) ||
          (played_.practice() && strip_.has_button_at(pointer_, touch_));
-}
-
-/// What is being aimed, to be changed; null when nothing is.
-Aim* BilliardsScreen::edited() {
-  auto* launcher = std::get_if<Launcher>(&state_);
-  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
-}
-
-const Aim* BilliardsScreen::aimed() const {
-  const auto* launcher = std::get_if<Launcher>(&state_);
-  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
 }
 
 Launcher::Stage BilliardsScreen::stage() const {
@@ -240,7 +229,7 @@ void BilliardsScreen::show_anew() {
 Transition BilliardsScreen::finish(std::size_t button) {
   if (button != 1) return obey(button == 0 ? UserBar::Command::restart : UserBar::Command::close);
   if (played_.practice()) {
-    if (played_.practise(TakeBack{}, edited())) show_anew();
+    if (played_.practise(TakeBack{}, aim_in(state_))) show_anew();
     return Transition::stay;
   }
   session_.to_watch = played_.recorder().replay();

@@ -42,7 +42,7 @@ class BilliardsScreen final : public Screen {
   const games::billiards::Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return viewport_; }
   /// What is being aimed; null when nothing is.
-  const Aim* aimed() const;
+  const Aim* aimed() const { return aim_in(state_); }
 
  private:
   // What the player is doing; it follows the game's phase.
@@ -73,7 +73,6 @@ class BilliardsScreen final : public Screen {
   void place(Point at);
   bool steer_place(const Input& input);
   bool on_button() const;
-  Aim* edited();
   Launcher::Stage stage() const;
   Rect table_area() const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "app/aim.hpp"
 #include "app/aim_entry.hpp"
@@ -105,6 +106,13 @@ class Launcher {
   bool missed_ = false;
   bool refused_ = false;
 };
+
+/// What is being aimed in a screen's state, of which a Launcher is one; null when nothing is.
+template <class State>
+auto* aim_in(State& state) {
+  auto* launcher = std::get_if<Launcher>(&state);
+  return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
+}
 
 /// Where the keys start on a lead at `from`: 500 px/s towards the middle of the world (px).
 carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 middle);
