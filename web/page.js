@@ -141,6 +141,10 @@ document.addEventListener("paste", (event) => {
   const text = event.clipboardData.getData("text");
   if (text) give("web_paste", utf8(text));
 });
+// What was drawn remains until it is painted over: the game restores only what moved.
+const getContext = canvas.getContext;
+canvas.getContext = (kind, options) =>
+  getContext.call(canvas, kind, { ...options, preserveDrawingBuffer: true });
 canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 canvas.addEventListener("pointerdown", () => canvas.focus());
 

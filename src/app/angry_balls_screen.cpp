@@ -360,6 +360,7 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   DrawList& list = canvas.list;
   const std::size_t begin = list.vertices.size();
   draw_level(list, layout_.world, viewport_, game().level());
+  list.stand_still();
   draw_trace(list);
   effects_.draw_under_balls(list, viewport_);
   const auto* launcher = std::get_if<Launcher>(&state_);

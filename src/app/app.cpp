@@ -58,7 +58,7 @@ void App::event(const Input& input) {
   if (const auto* resized = std::get_if<Resized>(&input)) {
     view_ = View::of(resized->width, resized->height, resized->density);
     view_.touch = touch_;
-    font_.clear();  // the sizes in use have changed
+    atlas_.clear();  // the sizes in use have changed
     screen_->resize(view_);
     if (help_) help_->resize(view_);
     return;
@@ -228,10 +228,13 @@ void App::refuse(Text title, std::string line) {
 }
 
 const DrawList& App::draw() {
+  const Palette* const palette = &Palette::of(session_.settings.get().colours);
+  if (palette != list_.palette) atlas_.clear();  // stamps are coloured
+  list_.palette = palette;
   do {
-    if (font_.full()) font_.grow();
+    if (atlas_.full()) atlas_.grow();
     list_.clear();
-    list_.palette = &Palette::of(session_.settings.get().colours);
+    list_.stamps = &stamps_;
     const bool calm = session_.calm();
     Canvas canvas{list_, font_, view_, calm, session_.settings.get().screen_shake && !calm};
     screen_->draw(canvas);
@@ -245,7 +248,7 @@ const DrawList& App::draw() {
     if (help_) help_->draw(canvas);
     draw_tip(canvas);
     toast_.draw(canvas);
-  } while (font_.full());
+  } while (atlas_.full());
   return list_;
 }
 

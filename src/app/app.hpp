@@ -13,6 +13,7 @@
 #include "app/pad.hpp"
 #include "app/screen.hpp"
 #include "app/session.hpp"
+#include "app/stamps.hpp"
 #include "app/text.hpp"
 #include "app/toast.hpp"
 
@@ -48,7 +49,7 @@ class App {
   /// The picture now; good until the next call.
   const DrawList& draw();
   /// The picture's texture, as of the last draw().
-  const Atlas& atlas() const { return font_.atlas(); }
+  const Atlas& atlas() const { return atlas_; }
 
   /// What is on screen, whose turn it is, scores and balls left, in one line: the window's title.
   std::string describe() const { return help_ ? help_->describe() : screen_->describe(); }
@@ -82,7 +83,9 @@ class App {
   Store& store_;
   Session session_;
   View view_;
-  Font font_;
+  Atlas atlas_;
+  Font font_{atlas_};
+  Stamps stamps_{atlas_};
   DrawList list_;
   Toast toast_;
   std::unique_ptr<Screen> screen_;

@@ -4,6 +4,7 @@
 
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
+#include "app/stamps.hpp"
 
 namespace app {
 
@@ -72,8 +73,10 @@ void draw_ball(DrawList& list, Point center, float radius, const BallLook& look,
        faded(palette::glint, 0.9f * look.gloss * opacity));
 }
 
-void draw_ball(DrawList& list, Point center, float radius, BallKind kind, float opacity) {
-  draw_ball(list, center, radius, look_of(kind, *list.palette), opacity);
+void draw_ball(DrawList& list, Point center, float radius, BallKind kind) {
+  const BallLook look = look_of(kind, *list.palette);
+  stamp(list, {Stamps::Key::Of::ball, radius, static_cast<std::uint32_t>(kind)}, center,
+        radius + crisp, [&look](DrawList& on, Point c, float r) { draw_ball(on, c, r, look); });
 }
 
 void draw_ball_shadow(DrawList& list, Point center, float radius) {

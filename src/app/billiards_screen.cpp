@@ -365,6 +365,8 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   fill_rounded(canvas.list, all, 0,
                Paint::vertical(all, palette::slate_top, palette::slate_bottom));
   draw_table(canvas.list, viewport_, game().world().scene());
+  bar_.draw(canvas, bar_content());
+  canvas.list.stand_still();
   effects_.draw_under_balls(canvas.list, viewport_);
   if (!canvas.calm) draw_table_trails(canvas.list, viewport_, game().world(), motion_, fraction);
   draw_balls(canvas.list, viewport_, game().world(), motion_, fraction);
@@ -384,7 +386,6 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   if (std::holds_alternative<PlaceBall>(state_)) draw_cue_ball_in_hand(canvas);
   effects_.draw_over_balls(canvas, viewport_, table_area());
   pace_.draw_veil(canvas, layout_.world, words_);
-  bar_.draw(canvas, bar_content());
   if (played_.practice()) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
               hint_color(*canvas.list.palette),
@@ -407,7 +408,7 @@ void BilliardsScreen::draw_cue_ball_in_hand(Canvas& canvas) const {
   }
   // A dark ground first: the sign must stand out among red balls.
   fill_disc(list, pointer_, r * 2.1f, faded(palette::ink, 0.75f));
-  draw_ball(list, pointer_, r, BallKind::ivory, 0.6f);
+  draw_ball(list, pointer_, r, look_of(BallKind::ivory, *list.palette), 0.6f);
   dashed_circle(list, pointer_, r * 1.7f, viewport_.px(2.6), 8, canvas.list.palette->refused);
   const float arm = r * 0.8f;
   for (const float side : {-1.0f, 1.0f})

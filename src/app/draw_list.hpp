@@ -15,6 +15,8 @@ struct Vertex {
   Point position;  ///< window px
   Point texture;   ///< in the atlas, 0 to 1; (0, 0) is a white texel
   Color color;     ///< multiplies the atlas
+
+  friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
 /// What a text or a button covers: for tests of the layout and for assistive tools.
@@ -39,15 +41,23 @@ struct Tip {
   std::string text;
 };
 
+class Stamps;
+
 /// One frame, all of it: triangles over one texture, back to front.
 struct DrawList {
   /// The colours that it is drawn with; never null.
   const Palette* palette = &Palette::of(Colours::standard);
+  /// Keeps what is drawn again and again as pictures; null: all is drawn as triangles.
+  Stamps* stamps = nullptr;
   std::vector<Vertex> vertices;
   std::vector<std::int32_t> indices;  ///< three a triangle
   std::vector<Box> boxes;
   std::size_t covered = 0;  ///< so many boxes, the first, lie below a window that takes all input
   std::optional<Tip> tip;   ///< to be drawn over all else
+  // So many vertices and indices, the first, are mostly the same from frame to frame: whoever
+  // shows the list may keep their picture.
+  std::size_t still_vertices = 0;
+  std::size_t still_indices = 0;
 
   void clear() {
     vertices.clear();
@@ -55,6 +65,8 @@ struct DrawList {
     boxes.clear();
     covered = 0;
     tip.reset();
+    still_vertices = 0;
+    still_indices = 0;
   }
   /// Adds a vertex and gives its index.
   std::int32_t add(Point position, Color color, Point texture = {}) {
@@ -66,6 +78,19 @@ struct DrawList {
   }
   void quad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
     indices.insert(indices.end(), {a, b, c, a, c, d});
+  }
+  /// A part of the atlas (Atlas::texture) over `box`.
+  void picture(const Rect& box, const Rect& texture, Color color) {
+    const auto a = add({box.x, box.y}, color, {texture.x, texture.y});
+    const auto b = add({box.right(), box.y}, color, {texture.right(), texture.y});
+    const auto c = add({box.right(), box.bottom()}, color, {texture.right(), texture.bottom()});
+    const auto d = add({box.x, box.bottom()}, color, {texture.x, texture.bottom()});
+    quad(a, b, c, d);
+  }
+  /// What was drawn up to here is still.
+  void stand_still() {
+    still_vertices = vertices.size();
+    still_indices = indices.size();
   }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <unordered_map>
+#include <vector>
 
 #include "app/embedded.hpp"
 
@@ -16,9 +17,6 @@
 namespace app {
 namespace {
 
-constexpr int first_side = 512;
-constexpr int largest_side = 4096;
-constexpr int white_side = 4;  ///< texels of white in the corner, safe from filtering
 constexpr int narrow_space = 0x202f;
 
 /// Takes the first code point off valid UTF-8.
@@ -35,8 +33,7 @@ int take_code_point(std::string_view& utf8) {
 }  // namespace
 
 struct Font::Glyph {
-  int x = 0, y = 0;       ///< texels, in the atlas
-  int w = 0, h = 0;       ///< texels
+  Atlas::Part part;
   int left = 0, top = 0;  ///< px, from the pen to the top left texel
 };
 
@@ -54,7 +51,7 @@ struct Font::Faces {
       if (!stbtt_InitFont(&one.info, fonts[i].bytes.data(), 0))
         std::abort();  // built in: cannot fail
       const float em = stbtt_ScaleForMappingEmToPixels(&one.info, 1);
-      int x0, y0, x1, y1;
+      int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
       stbtt_GetCodepointBox(&one.info, 'H', &x0, &y0, &x1, &y1);
       one.cap_height = em * static_cast<float>(y1);
     }
@@ -92,7 +89,7 @@ float lay_out(const stbtt_fontinfo& info, int size, std::string_view utf8, const
 
 }  // namespace
 
-Font::Font() : faces_(std::make_unique<Faces>()) { reset(first_side); }
+Font::Font(Atlas& atlas) : faces_(std::make_unique<Faces>()), atlas_(atlas) {}
 Font::~Font() = default;
 
 float Font::width(Face face, int size, std::string_view utf8) const {
@@ -111,42 +108,20 @@ Rect Font::draw(DrawList& list, Face face, int size, Point baseline, Color color
     const float x = std::round((baseline.x + pen) * 4) / 4;
     const float column = std::floor(x);
     const Glyph& g = glyph(face, size, index, static_cast<int>((x - column) * 4));
-    if (g.w == 0) return;
+    if (g.part.w == 0) return;
     const Rect box{column + static_cast<float>(g.left), row + static_cast<float>(g.top),
-                   static_cast<float>(g.w), static_cast<float>(g.h)};
-    const float texel = 1 / static_cast<float>(atlas_.side);
-    const Rect part{static_cast<float>(g.x) * texel, static_cast<float>(g.y) * texel,
-                    static_cast<float>(g.w) * texel, static_cast<float>(g.h) * texel};
-    const auto a = list.add({box.x, box.y}, color, {part.x, part.y});
-    const auto b = list.add({box.right(), box.y}, color, {part.right(), part.y});
-    const auto c = list.add({box.right(), box.bottom()}, color, {part.right(), part.bottom()});
-    const auto d = list.add({box.x, box.bottom()}, color, {part.x, part.bottom()});
-    list.quad(a, b, c, d);
+                   static_cast<float>(g.part.w), static_cast<float>(g.part.h)};
+    list.picture(box, atlas_.texture(g.part), color);
     ink = ink.w > 0 ? united(ink, box) : box;
   });
   return ink;
 }
 
-void Font::clear() { reset(atlas_.side); }
-
-void Font::grow() { reset(std::min(atlas_.side * 2, largest_side)); }
-
-void Font::reset(int side) {
-  const auto row = static_cast<std::size_t>(side);
-  faces_->glyphs.clear();
-  atlas_.side = side;
-  atlas_.coverage.assign(row * row, 0);
-  for (std::size_t y = 0; y < white_side; ++y)
-    std::fill_n(atlas_.coverage.begin() + static_cast<std::ptrdiff_t>(y * row), white_side,
-                std::uint8_t{255});
-  ++atlas_.version;
-  shelf_x_ = white_side + 1;
-  shelf_y_ = 0;
-  shelf_height_ = white_side;
-  full_ = false;
-}
-
 const Font::Glyph& Font::glyph(Face face, int size, int index, int quarter) {
+  if (version_ != atlas_.version()) {
+    faces_->glyphs.clear();
+    version_ = atlas_.version();
+  }
   const std::uint64_t key =
       static_cast<std::uint64_t>(index) << 32 | static_cast<std::uint64_t>(size) << 8 |
       static_cast<std::uint64_t>(face) << 4 | static_cast<std::uint64_t>(quarter);
@@ -162,24 +137,12 @@ const Font::Glyph& Font::glyph(Face face, int size, int index, int quarter) {
   const int w = x1 - x0;
   const int h = y1 - y0;
   if (w <= 0 || h <= 0) return g;
-  if (shelf_x_ + w > atlas_.side) {
-    shelf_x_ = 0;
-    shelf_y_ += shelf_height_ + 1;
-    shelf_height_ = 0;
-  }
-  if (shelf_y_ + h > atlas_.side || w > atlas_.side) {
-    // At the largest side a glyph stays out rather than growing for ever.
-    full_ = atlas_.side < largest_side;
-    return g;
-  }
-  g = {shelf_x_, shelf_y_, w, h, x0, y0};
-  const auto start = static_cast<std::size_t>(g.y) * static_cast<std::size_t>(atlas_.side) +
-                     static_cast<std::size_t>(g.x);
-  stbtt_MakeGlyphBitmapSubpixel(&info, &atlas_.coverage[start], w, h, atlas_.side, scale, scale,
-                                shift, 0, index);
-  ++atlas_.version;
-  shelf_x_ += w + 1;
-  shelf_height_ = std::max(shelf_height_, h);
+  std::vector<std::uint8_t> coverage(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  stbtt_MakeGlyphBitmapSubpixel(&info, coverage.data(), w, h, w, scale, scale, shift, 0, index);
+  const auto part = atlas_.add(w, h, [&](int x, int y) {
+    return Color{255, 255, 255, coverage[static_cast<std::size_t>(y * w + x)]};
+  });
+  if (part) g = {*part, x0, y0};
   return g;
 }
 

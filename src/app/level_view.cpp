@@ -8,6 +8,7 @@
 #include "app/noise.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
+#include "app/stamps.hpp"
 #include "app/trails.hpp"
 #include "games/launch.hpp"
 
@@ -150,8 +151,8 @@ void draw_texture(DrawList& list, Point c, float r, bool wood, std::uint32_t id)
 }
 
 /// Strong enemies wear iron: a hoop with rivets, a second one for the strongest.
-void draw_armour(DrawList& list, Point c, float r, double breaking) {
-  if (breaking < 500) return;
+void draw_armour(DrawList& list, Point c, float r, int hoops) {
+  if (hoops == 0) return;
   stroke_circle(list, c, r * 0.92f, r * 0.16f, palette::iron);
   constexpr int rivets = 10;
   for (int i = 0; i < rivets; ++i) {
@@ -159,27 +160,68 @@ void draw_armour(DrawList& list, Point c, float r, double breaking) {
     fill_disc(list, c + Point{std::cos(turn), std::sin(turn)} * (r * 0.92f), r * 0.05f,
               palette::brass_lit);
   }
-  if (breaking >= 1000) stroke_circle(list, c, r * 0.76f, r * 0.07f, palette::iron);
+  if (hoops > 1) stroke_circle(list, c, r * 0.76f, r * 0.07f, palette::iron);
+}
+
+/// What tells a ball from others of its radius, without its cracks.
+struct LevelBallLook {
+  BallKind kind;
+  bool enemy;
+  bool lead;
+  int hoops;             ///< of iron
+  std::uint32_t flecks;  ///< which of three textures of stone
+
+  static LevelBallLook of(const carom::Ball& ball, double full_solidity,
+                          const carom::Scene& level) {
+    const bool enemy = ball.role == carom::Role::enemy;
+    const double breaking = breaking_speed(full_solidity, level);
+    const BallKind kind = kind_of(ball, full_solidity, level);
+    return {kind, enemy, carom::is_lead(ball.role),
+            !enemy ? 0 : (breaking >= 500) + (breaking >= 1000),
+            kind == BallKind::stone ? ball.id % 3 : 0};
+  }
+  std::uint32_t number() const {
+    return static_cast<std::uint32_t>(kind) | static_cast<std::uint32_t>(hoops) << 8 | flecks << 16;
+  }
+};
+
+void draw_body(DrawList& list, Point c, float r, const LevelBallLook& look) {
+  if (look.enemy) draw_horns(list, c, r);
+  // A dark rim parts balls from hills and sky.
+  fill_disc(list, c, r + std::max(r * 0.07f, 1.0f), faded(palette::ink, 0.7f));
+  draw_ball(list, c, r, look.kind);
+  if (look.enemy)
+    draw_armour(list, c, r, look.hoops);
+  else if (!look.lead)
+    draw_texture(list, c, r, look.kind == BallKind::wooden, look.flecks);
+}
+
+void draw_face(DrawList& list, Point c, float r, const LevelBallLook& look) {
+  if (look.enemy) draw_villain_face(list, c, r);
+  if (look.lead) draw_angry_face(list, c, r);
 }
 
 void draw_level_ball(DrawList& list, Point c, float r, const carom::Ball& ball,
                      double full_solidity, const carom::Scene& level) {
-  const BallKind kind = kind_of(ball, full_solidity, level);
-  const bool enemy = ball.role == carom::Role::enemy;
-  if (enemy) draw_horns(list, c, r);
-  // A dark rim parts balls from hills and sky.
-  fill_disc(list, c, r + std::max(r * 0.07f, 1.0f), faded(palette::ink, 0.7f));
-  draw_ball(list, c, r, kind);
-  if (enemy)
-    draw_armour(list, c, r, breaking_speed(full_solidity, level));
-  else if (!carom::is_lead(ball.role))
-    draw_texture(list, c, r, kind == BallKind::wooden, ball.id);
-  if (full_solidity < carom::infinite_solidity && ball.solidity < full_solidity)
-    draw_cracks(list, c, r,
-                static_cast<float>(std::clamp(1 - ball.solidity / full_solidity, 0.0, 1.0)),
-                ball.id);
-  if (enemy) draw_villain_face(list, c, r);
-  if (carom::is_lead(ball.role)) draw_angry_face(list, c, r);
+  using Of = Stamps::Key::Of;
+  const auto look = LevelBallLook::of(ball, full_solidity, level);
+  const float reach = 1.45f * r + 2;
+  if (full_solidity == carom::infinite_solidity || ball.solidity >= full_solidity) {
+    stamp(list, {Of::sound_ball, r, look.number()}, c, reach,
+          [&look](DrawList& on, Point at, float radius) {
+            draw_body(on, at, radius, look);
+            draw_face(on, at, radius, look);
+          });
+    return;
+  }
+  // Cracks run between the ball and its face.
+  stamp(list, {Of::worn_ball, r, look.number()}, c, reach,
+        [&look](DrawList& on, Point at, float radius) { draw_body(on, at, radius, look); });
+  draw_cracks(list, c, r,
+              static_cast<float>(std::clamp(1 - ball.solidity / full_solidity, 0.0, 1.0)), ball.id);
+  if (look.enemy || look.lead)
+    stamp(list, {Of::face, r, look.number()}, c, r,
+          [&look](DrawList& on, Point at, float radius) { draw_face(on, at, radius, look); });
 }
 
 /// An arrow at the top edge, over it, smaller the further up the ball is.
@@ -195,7 +237,7 @@ void draw_high_ball(DrawList& list, const Rect& area, Point c, float r, BallKind
   fill(list, arrow, palette::brass_lit);
   const Point below = tip + Point{0, size * 2.3f};
   fill_disc(list, below, size * 0.8f, faded(palette::ink, 0.7f));
-  draw_ball(list, below, size * 0.7f, kind);
+  draw_ball(list, below, size * 0.7f, look_of(kind, *list.palette));
 }
 
 }  // namespace

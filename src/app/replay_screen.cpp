@@ -310,6 +310,7 @@ void ReplayScreen::draw_world(Canvas& canvas) const {
   const double fraction = playing_ ? clock_.fraction() : 1;
   if (const auto& level = player_.replay().level) {
     draw_level(list, world_, viewport_, *level);
+    list.stand_still();
     effects_.draw_under_balls(list, viewport_);
     if (!canvas.calm) draw_level_trails(list, viewport_, world, *level, motion_, fraction);
     draw_level_balls(list, world_, viewport_, world, *level, motion_, fraction);
@@ -317,6 +318,7 @@ void ReplayScreen::draw_world(Canvas& canvas) const {
     const Rect all = canvas.view.area();
     fill_rounded(list, all, 0, Paint::vertical(all, palette::slate_top, palette::slate_bottom));
     draw_table(list, viewport_, world.scene());
+    list.stand_still();
     effects_.draw_under_balls(list, viewport_);
     if (!canvas.calm) draw_table_trails(list, viewport_, world, motion_, fraction);
     draw_balls(list, viewport_, world, motion_, fraction);

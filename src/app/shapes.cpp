@@ -3,6 +3,8 @@
 #include <array>
 #include <numbers>
 
+#include "app/stamps.hpp"
+
 namespace app {
 namespace {
 
@@ -186,7 +188,9 @@ void clip(DrawList& list, std::size_t first, const Rect& area) {
   }
 }
 
-void glow(DrawList& list, Point center, float across, float down, Color color) {
+namespace {
+
+void glow_in_triangles(DrawList& list, Point center, float across, float down, Color color) {
   constexpr int rings = 6;
   const std::int32_t n = segments(std::max(across, down));
   const std::int32_t middle = list.add(center, color);
@@ -202,6 +206,21 @@ void glow(DrawList& list, Point center, float across, float down, Color color) {
     list.triangle(middle, middle + 1 + i, middle + 1 + (i + 1) % n);
   for (std::int32_t ring = 1; ring < rings; ++ring)
     bridge(list, middle + 1 + (ring - 1) * n, middle + 1 + ring * n, n);
+}
+
+}  // namespace
+
+void glow(DrawList& list, Point center, float across, float down, Color color) {
+  // One picture for all: it has no edge that stretching would blur.
+  constexpr float radius = 16;
+  const auto draw = [](DrawList& on, Point c, float r) {
+    glow_in_triangles(on, c, r, r, {255, 255, 255, 255});
+  };
+  const bool small = std::max(across, down) <= 4 * radius;
+  if (!small || !list.stamps ||
+      !list.stamps->stretch(list, {Stamps::Key::Of::glow, radius}, center, radius, across, down,
+                            color, draw))
+    glow_in_triangles(list, center, across, down, color);
 }
 
 }  // namespace app

@@ -81,9 +81,11 @@ void NullPlatform::click(app::Point at, app::PointerButton button) {
   app_.event(app::PointerReleased{at, button});
 }
 
-Image NullPlatform::picture() {
+app::Image NullPlatform::picture() {
+  app::Image image(width_, height_, app::rgb(0x000000));
   const app::DrawList& list = app_.draw();
-  return rasterize(list, app_.atlas(), width_, height_);
+  rasterize(list, app_.atlas(), image);
+  return image;
 }
 
 carom::Status NullPlatform::screenshot(const std::filesystem::path& path) {

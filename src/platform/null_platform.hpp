@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/app.hpp"
-#include "platform/raster.hpp"
+#include "app/raster.hpp"
 #include "platform/script.hpp"
 
 namespace platform {
@@ -28,7 +28,7 @@ class NullPlatform {
   /// Lets game time pass, in frames of at most 1/60 s.
   void pass(std::chrono::nanoseconds time);
   void click(app::Point at, app::PointerButton button = app::PointerButton::left);
-  Image picture();
+  app::Image picture();
   carom::Status screenshot(const std::filesystem::path& path);
 
   app::App& app() { return app_; }

@@ -14,13 +14,13 @@
 
 namespace platform {
 
-carom::Status write_png(const std::filesystem::path& path, const Image& image) {
+carom::Status write_png(const std::filesystem::path& path, const app::Image& image) {
   std::string bytes;
   const auto append = [](void* out, void* data, int size) {
     static_cast<std::string*>(out)->append(static_cast<const char*>(data),
                                            static_cast<std::size_t>(size));
   };
-  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(),
                              image.width * 4) == 0)
     return carom::Error{.pointer = path.string(), .problem = "cannot be encoded", .expected = {}};
   carom::Status written = files::write(path, bytes);

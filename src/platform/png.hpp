@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
+#include "app/raster.hpp"
 #include "carom/result.hpp"
-#include "platform/raster.hpp"
 
 namespace platform {
 
-carom::Status write_png(const std::filesystem::path& path, const Image& image);
+carom::Status write_png(const std::filesystem::path& path, const app::Image& image);
 
 }  // namespace platform

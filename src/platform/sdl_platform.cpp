@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "files/files.hpp"
+#include "platform/painter.hpp"
 #include "platform/sdl_input.hpp"
 #include "platform/speaker.hpp"
 
@@ -26,20 +27,6 @@ using std::chrono::steady_clock;
 constexpr int idle_wait_ms = 1000;
 /// Without vertical synchronisation, or unseen, a frame is still not drawn more often than this.
 constexpr nanoseconds least_frame = std::chrono::milliseconds{4};
-
-struct Destroy {
-  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
-  void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
-  void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Destroy>;
-
-template <class T>
-Owned<T> owned(T* made) {
-  if (!made) throw std::runtime_error(SDL_GetError());
-  return Owned<T>(made);
-}
 
 /// SDL for as long as it lives.
 struct Library {
@@ -89,7 +76,7 @@ class SdlWindow final : public GameWindow {
       : window_(owned(SDL_CreateWindow("Angry Balls", SDL_WINDOWPOS_CENTERED,
                                        SDL_WINDOWPOS_CENTERED, setup.width, setup.height,
                                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI))),
-        renderer_(make_renderer()),
+        painter_(window_.get()),
         app_(setup.language, setup.width, setup.height, setup.store,
              setup.clipboard ? *setup.clipboard : desktop_clipboard_, std::move(setup.levels),
              std::move(setup.surroundings)) {
@@ -132,21 +119,11 @@ class SdlWindow final : public GameWindow {
   }
 
  private:
-  SDL_Renderer* create_renderer(Uint32 flags) {
-    return SDL_CreateRenderer(window_.get(), -1, flags);
-  }
-
-  Owned<SDL_Renderer> make_renderer() {
-    if (SDL_Renderer* synced = create_renderer(SDL_RENDERER_PRESENTVSYNC))
-      return Owned<SDL_Renderer>(synced);
-    return owned(create_renderer(0));
-  }
-
   /// Takes over the window's size in pixels, which may be finer than its points.
   void measure() {
     int points_wide = 1, points_high = 1, width = 1, height = 1;
     SDL_GetWindowSize(window_.get(), &points_wide, &points_high);
-    SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
+    SDL_GetRendererOutputSize(painter_.renderer(), &width, &height);
     if (width <= 0 || height <= 0 || points_wide <= 0 || points_high <= 0) return;  // minimised
     across_ = static_cast<float>(width) / static_cast<float>(points_wide);
     down_ = static_cast<float>(height) / static_cast<float>(points_high);
@@ -164,6 +141,7 @@ class SdlWindow final : public GameWindow {
         closed_ = true;
         return false;
       case SDL_WINDOWEVENT:
+        painter_.frame_lost();
         if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) measure();
         // What passed while nobody saw the game is no time of its either.
         if (event.window.event == SDL_WINDOWEVENT_SHOWN) last_ = steady_clock::now();
@@ -172,7 +150,7 @@ class SdlWindow final : public GameWindow {
         return open_dropped(event.drop.file);
       case SDL_RENDER_TARGETS_RESET:
       case SDL_RENDER_DEVICE_RESET:
-        texture_.reset();
+        painter_.forget();
         return true;
       case SDL_MOUSEMOTION:
         app_.event(app::PointerMoved{pixel(event.motion.x, event.motion.y)});
@@ -215,7 +193,7 @@ class SdlWindow final : public GameWindow {
 
   bool handle(const SDL_TouchFingerEvent& touch, app::Finger::Phase phase) {
     int width = 1, height = 1;
-    SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
+    SDL_GetRendererOutputSize(painter_.renderer(), &width, &height);
     app_.event(
         app::Finger{touch.fingerId,
                     phase,
@@ -270,45 +248,16 @@ class SdlWindow final : public GameWindow {
   void show() {
     if ((SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_MINIMIZED) != 0) return;
     const app::DrawList& list = app_.draw();
-    upload(app_.atlas());
     if (const std::string title = app_.describe(); title != title_) {
       title_ = title;
       SDL_SetWindowTitle(window_.get(), title_.c_str());
     }
-    SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
-    SDL_RenderClear(renderer_.get());
-    constexpr int stride = sizeof(app::Vertex);
-    static_assert(sizeof(app::Color) == sizeof(SDL_Color));
-    const app::Vertex& first = list.vertices.front();
-    SDL_RenderGeometryRaw(renderer_.get(), texture_.get(), &first.position.x, stride,
-                          reinterpret_cast<const SDL_Color*>(&first.color), stride,
-                          &first.texture.x, stride, static_cast<int>(list.vertices.size()),
-                          list.indices.data(), static_cast<int>(list.indices.size()),
-                          sizeof(list.indices.front()));
-    SDL_RenderPresent(renderer_.get());
-  }
-
-  /// White, with the atlas's coverage as alpha.
-  void upload(const app::Atlas& atlas) {
-    if (texture_ && atlas.version == uploaded_version_) return;
-    if (!texture_ || atlas.side != uploaded_side_) {
-      texture_ = owned(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGBA32,
-                                         SDL_TEXTUREACCESS_STATIC, atlas.side, atlas.side));
-      SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_BLEND);
-      uploaded_side_ = atlas.side;
-    }
-    std::vector<std::uint8_t> rgba(atlas.coverage.size() * 4, 255);
-    for (std::size_t i = 0; i < atlas.coverage.size(); ++i) rgba[i * 4 + 3] = atlas.coverage[i];
-    SDL_UpdateTexture(texture_.get(), nullptr, rgba.data(), atlas.side * 4);
-    uploaded_version_ = atlas.version;
+    painter_.show(list, app_.atlas());
   }
 
   Library sdl_;
   Owned<SDL_Window> window_;
-  Owned<SDL_Renderer> renderer_;
-  Owned<SDL_Texture> texture_;
-  int uploaded_side_ = 0;
-  std::uint64_t uploaded_version_ = 0;
+  Painter painter_;
   DesktopClipboard desktop_clipboard_;
   Speaker speaker_;
   Gamepads gamepads_;

@@ -84,7 +84,8 @@ class AngryBallsScreenTest : public testing::Test {
   }
 
   app::View view = app::View::of(width, height);
-  app::Font font;
+  app::Atlas atlas;
+  app::Font font{atlas};
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};

@@ -55,7 +55,8 @@ class BilliardsScreenTest : public testing::Test {
     return {};
   }
 
-  app::Font font;
+  app::Atlas atlas;
+  app::Font font{atlas};
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};

@@ -249,7 +249,8 @@ class KeyboardOnly : public testing::Test {
     return false;
   }
   app::View view = app::View::of(1280, 720);
-  app::Font font;
+  app::Atlas atlas;
+  app::Font font{atlas};
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, app::shipped_levels()};

@@ -239,7 +239,8 @@ TEST_P(Layout, TurnThenPower) {
   const app::View view = app::View::of(size.width, size.height);
   screen.resize(view);
   for (int i = 0; i < 300; ++i) screen.iterate(10ms);
-  app::Font font;
+  app::Atlas atlas;
+  app::Font font{atlas};
   for (const bool turning : {false, true}) {
     if (turning) screen.event(app::PointerMoved{{cue().x + 60, cue().y}});
     app::DrawList list;
@@ -335,7 +336,8 @@ TEST_P(Layout, EndOfBilliards) {
     screen.resize(view);
     for (int i = 0; i < 500; ++i) screen.iterate(20ms);
     ASSERT_EQ(screen.game().phase(), games::billiards::Phase::over);
-    app::Font font;
+    app::Atlas atlas;
+    app::Font font{atlas};
     app::DrawList list;
     app::Canvas canvas{list, font, view};
     screen.draw(canvas);

@@ -88,7 +88,8 @@ TEST_F(PaceTest, WhilePausedNothingMovesAndTheClickThatEndsItDoesNothingElse) {
   EXPECT_EQ(screen.game().world().steps(), steps);
   // The button below asks whether to leave.
   app::DrawList list;
-  app::Font font;
+  app::Atlas atlas;
+  app::Font font{atlas};
   const app::View view = app::View::of(1280, 720);
   app::Canvas canvas{list, font, view};
   screen.draw(canvas);
@@ -163,7 +164,8 @@ TEST_F(PaceTest, ReducedMotionShowsNoTrailAndNothingThatFlies) {
   auto screen = level();
   const auto vertices = [&](bool calm) {
     app::DrawList list;
-    app::Font font;
+    app::Atlas atlas;
+    app::Font font{atlas};
     const app::View view = app::View::of(1280, 720);
     app::Canvas canvas{list, font, view, calm};
     screen.draw(canvas);

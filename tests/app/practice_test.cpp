@@ -93,7 +93,8 @@ TEST_F(PracticeTable, RepeatsWithASmallChange) {
   EXPECT_NEAR(carom::length(second), carom::length(first) + 10, 0.12);
   EXPECT_NEAR(degrees(second), degrees(first) + 1, 0.05);
   // While it rolls, the buttons change what R repeats.
-  app::Font font;
+  app::Atlas atlas;
+  app::Font font{atlas};
   app::DrawList list;
   const app::View view = app::View::of(1280, 720);
   app::Canvas canvas{list, font, view};

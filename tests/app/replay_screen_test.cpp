@@ -115,7 +115,8 @@ TEST_P(ReplayScreenTest, SpeedIsWhatItSays) {
 TEST_P(ReplayScreenTest, IsSavedUnderANameOfItsOwnAndCopiedAsText) {
   ASSERT_TRUE(store.save("replays/replay-0004.json", "mine"));
   const auto press = [&](std::string_view text) {
-    app::Font font;
+    app::Atlas atlas;
+    app::Font font{atlas};
     app::DrawList list;
     const app::View view = app::View::of(1280, 720);
     app::Canvas canvas{list, font, view};

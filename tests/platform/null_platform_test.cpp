@@ -34,9 +34,9 @@ TEST(NullPlatform, SameScriptSamePicture) {
   Played one(one_shot);
   Played two(one_shot);
   EXPECT_EQ(one.app().describe(), two.app().describe());
-  const platform::Image picture = one.picture();
-  EXPECT_EQ(picture.rgba, two.picture().rgba);
-  EXPECT_EQ(picture.rgba, one.picture().rgba);
+  const app::Image picture = one.picture();
+  EXPECT_EQ(picture.pixels, two.picture().pixels);
+  EXPECT_EQ(picture.pixels, one.picture().pixels);
 }
 
 TEST(NullPlatform, SameThrowSamePicture) {
@@ -44,7 +44,7 @@ TEST(NullPlatform, SameThrowSamePicture) {
   Played two(one_throw);
   EXPECT_NE(one.app().describe().find("watching the throw · score: 100"), std::string::npos)
       << one.app().describe();
-  EXPECT_EQ(one.picture().rgba, two.picture().rgba);
+  EXPECT_EQ(one.picture().pixels, two.picture().pixels);
 }
 
 TEST(NullPlatform, TellsWhatIsOnScreen) {

@@ -1,5 +1,6 @@
-#include "platform/raster.hpp"
+#include "app/raster.hpp"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -7,18 +8,18 @@
 
 namespace {
 
+using app::Image;
 using app::Point;
-using platform::Image;
 
-const app::Atlas blank{1, {255}, 1};
+const app::Atlas blank(8);
 constexpr app::Color half_white{255, 255, 255, 128};
 
-int red(const Image& image, int x, int y) {
-  return image.rgba[static_cast<std::size_t>((y * image.width + x) * 4)];
-}
+int red(const Image& image, int x, int y) { return image.at(x, y).r; }
 
 Image draw(const app::DrawList& list, int width = 32, int height = 32) {
-  return platform::rasterize(list, blank, width, height);
+  Image image(width, height, app::rgb(0x000000));
+  app::rasterize(list, blank, image);
+  return image;
 }
 
 /// The four corners and a point within, as four triangles.
@@ -61,7 +62,7 @@ TEST(Raster, BothWindingsAreDrawn) {
   list.triangle(0, 1, 2);
   const Image one = draw(list);
   list.indices = {0, 2, 1};
-  EXPECT_EQ(draw(list).rgba, one.rgba);
+  EXPECT_EQ(draw(list).pixels, one.pixels);
 }
 
 TEST(Raster, TheFringeGivesEdgesTheirShareOfThePixel) {
@@ -96,20 +97,43 @@ TEST(Raster, CornersFarOutsideAreClipped) {
   EXPECT_EQ(red(draw(list), 16, 16), 128);
 }
 
-TEST(Raster, TheAtlasGivesTheOpacity) {
-  const app::Atlas atlas{2, {255, 0, 0, 128}, 1};
+TEST(Raster, ThePartOfTheAtlasIsDrawnTexelOnPixel) {
+  app::Atlas atlas(16);
+  const std::array colors{app::rgb(0xff0000), app::Color{0, 255, 0, 0}, app::Color{255, 0, 0, 128},
+                          app::rgb(0x0000ff)};
+  const auto part =
+      atlas.add(2, 2, [&](int x, int y) { return colors[static_cast<std::size_t>(y * 2 + x)]; });
   app::DrawList list;
-  const app::Color white = app::rgb(0xffffff);
-  list.add({0, 0}, white, {0, 0});
-  list.add({2, 0}, white, {1, 0});
-  list.add({2, 2}, white, {1, 1});
-  list.add({0, 2}, white, {0, 1});
-  list.quad(0, 1, 2, 3);
-  const Image image = platform::rasterize(list, atlas, 2, 2);
-  EXPECT_EQ(red(image, 0, 0), 255);
-  EXPECT_EQ(red(image, 1, 0), 0);
-  EXPECT_EQ(red(image, 0, 1), 0);
-  EXPECT_EQ(red(image, 1, 1), 128);
+  list.picture({3, 4, 2, 2}, atlas.texture(part.value()), app::rgb(0xffffff));
+  Image image(8, 8, app::rgb(0x000000));
+  app::rasterize(list, atlas, image);
+  EXPECT_EQ(image.at(3, 4), app::rgb(0xff0000));
+  EXPECT_EQ(image.at(4, 4), app::rgb(0x000000));
+  EXPECT_EQ(image.at(3, 5), app::rgb(0x800000));
+  EXPECT_EQ(image.at(4, 5), app::rgb(0x0000ff));
+  EXPECT_EQ(image.at(2, 4), app::rgb(0x000000));
+}
+
+TEST(Raster, BetweenTexelsColoursAreMixed) {
+  app::Atlas atlas(16);
+  const auto part =
+      atlas.add(4, 4, [&](int x, int) { return x < 2 ? app::rgb(0xff0000) : app::rgb(0x0000ff); });
+  app::DrawList list;  // half a pixel to the right
+  list.picture({2.5f, 2, 4, 4}, atlas.texture(part.value()), app::rgb(0xffffff));
+  Image image(8, 8, app::rgb(0x000000));
+  app::rasterize(list, atlas, image);
+  EXPECT_EQ(image.at(3, 3), app::rgb(0xff0000));
+  EXPECT_EQ(image.at(4, 3), app::rgb(0x800080));
+  EXPECT_EQ(image.at(5, 3), app::rgb(0x0000ff));
+}
+
+TEST(Raster, OverClearGroundAColourStaysWhatItIs) {
+  app::DrawList list = fan({Point{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {3, 4}, {200, 100, 50, 128});
+  Image image(8, 8, {0, 0, 0, 0});
+  app::rasterize(list, blank, image);
+  EXPECT_EQ(image.at(4, 4), (app::Color{200, 100, 50, 128}));
+  app::rasterize(list, blank, image);  // 1 - (1 - 128 / 255)²
+  EXPECT_EQ(image.at(4, 4), (app::Color{200, 100, 50, 192}));
 }
 
 }  // namespace

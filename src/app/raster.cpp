@@ -1,14 +1,11 @@
-#include "platform/raster.hpp"
+#include "app/raster.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
-namespace platform {
+namespace app {
 namespace {
-
-using app::Vertex;
 
 constexpr std::int64_t sub = 256;  ///< sub-pixel steps in a pixel
 constexpr float far_out = 1e6f;    ///< px; keeps the products of coordinates within 64 bits
@@ -17,7 +14,7 @@ struct Corner {
   std::int64_t x, y;  ///< 1/256 px
 };
 
-Corner corner(app::Point p) {
+Corner corner(Point p) {
   const auto fixed = [](float value) {
     return static_cast<std::int64_t>(
         std::lround(std::clamp(value, -far_out, far_out) * static_cast<float>(sub)));
@@ -47,7 +44,7 @@ std::uint8_t to_byte(float value) {
 
 class Rasterizer {
  public:
-  Rasterizer(const app::Atlas& atlas, Image& image) : atlas_(atlas), image_(image) {}
+  Rasterizer(const Atlas& atlas, Image& image) : atlas_(atlas), image_(image) {}
 
   void draw(std::array<const Vertex*, 3> v) {
     std::array<Corner, 3> c{corner(v[0]->position), corner(v[1]->position), corner(v[2]->position)};
@@ -65,8 +62,8 @@ class Rasterizer {
     const auto last = [](std::int64_t edge, int size) {
       return std::min<std::int64_t>(edge / sub + 1, size - 1);
     };
-    const bool plain = v[0]->texture == app::Point{} && v[1]->texture == app::Point{} &&
-                       v[2]->texture == app::Point{};
+    const bool plain =
+        v[0]->texture == Point{} && v[1]->texture == Point{} && v[2]->texture == Point{};
     const float scale = 1 / static_cast<float>(area);
 
     for (std::int64_t y = first(top); y <= last(bottom, image_.height); ++y) {
@@ -77,16 +74,15 @@ class Rasterizer {
           return weight[0] * channel(*v[0]) + weight[1] * channel(*v[1]) +
                  weight[2] * channel(*v[2]);
         };
-        const app::Color color{
+        Color color{
             to_byte(blend_of([](const Vertex& p) { return static_cast<float>(p.color.r); })),
             to_byte(blend_of([](const Vertex& p) { return static_cast<float>(p.color.g); })),
             to_byte(blend_of([](const Vertex& p) { return static_cast<float>(p.color.b); })),
             to_byte(blend_of([](const Vertex& p) { return static_cast<float>(p.color.a); }))};
-        std::uint32_t opacity = color.a;
         if (!plain)
-          opacity = times(opacity, sample(blend_of([](const Vertex& p) { return p.texture.x; }),
+          color = modulated(color, sample(blend_of([](const Vertex& p) { return p.texture.x; }),
                                           blend_of([](const Vertex& p) { return p.texture.y; })));
-        put(x, y, color, opacity);
+        blend(color, image_.at(static_cast<int>(x), static_cast<int>(y)));
       }
     }
   }
@@ -102,42 +98,72 @@ class Rasterizer {
     return true;
   }
 
-  /// Glyphs are drawn texel on pixel, so the nearest texel is the right one.
-  std::uint32_t sample(float u, float v) const {
-    const auto texel = [side = atlas_.side](float at) {
-      return static_cast<std::size_t>(
-          std::clamp(static_cast<int>(at * static_cast<float>(side)), 0, side - 1));
+  static Color modulated(Color a, Color b) {
+    const auto product = [](std::uint8_t p, std::uint8_t q) {
+      return static_cast<std::uint8_t>(times(p, q));
     };
-    return atlas_.coverage[texel(v) * static_cast<std::size_t>(atlas_.side) + texel(u)];
+    return {product(a.r, b.r), product(a.g, b.g), product(a.b, b.b), product(a.a, b.a)};
   }
 
-  void put(std::int64_t x, std::int64_t y, app::Color color, std::uint32_t opacity) {
-    std::uint8_t* pixel = &image_.rgba[static_cast<std::size_t>((y * image_.width + x) * 4)];
-    const std::array channels{color.r, color.g, color.b};
-    for (std::size_t i = 0; i < 3; ++i)
-      pixel[i] = static_cast<std::uint8_t>(
-          (channels[i] * opacity + pixel[i] * (255 - opacity) + 127) / 255);
+  Color sample(float u, float v) const {
+    const auto side = static_cast<float>(atlas_.side());
+    // Texels are what they are at their centres; the weights are those of graphics hardware, in
+    // 256ths, so that what is drawn texel on pixel stays as it is.
+    const auto place = [side](float at) {
+      return static_cast<int>(std::lround(std::clamp(at * side - 0.5f, 0.0f, side - 1) * 256));
+    };
+    const int x = place(u);
+    const int y = place(v);
+    const auto texel = [&](int column, int row) {
+      const auto last = static_cast<std::size_t>(atlas_.side()) - 1;
+      return atlas_.texels()[std::min(static_cast<std::size_t>(row), last) * (last + 1) +
+                             std::min(static_cast<std::size_t>(column), last)];
+    };
+    const auto part_of = [](Color from, Color to, int part) {
+      const auto channel = [part](std::uint8_t p, std::uint8_t q) {
+        return static_cast<std::uint8_t>((p * (256 - part) + q * part + 128) / 256);
+      };
+      return Color{channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b),
+                   channel(from.a, to.a)};
+    };
+    const int column = x / 256;
+    const int row = y / 256;
+    return part_of(part_of(texel(column, row), texel(column + 1, row), x % 256),
+                   part_of(texel(column, row + 1), texel(column + 1, row + 1), x % 256), y % 256);
   }
 
-  const app::Atlas& atlas_;
+  static void blend(Color color, Color& pixel) {
+    const std::uint32_t opacity = color.a;
+    if (pixel.a == 255) {
+      const auto channel = [opacity](std::uint8_t over, std::uint8_t under) {
+        return static_cast<std::uint8_t>((over * opacity + under * (255 - opacity) + 127) / 255);
+      };
+      pixel = {channel(color.r, pixel.r), channel(color.g, pixel.g), channel(color.b, pixel.b)};
+      return;
+    }
+    const std::uint32_t ground = times(pixel.a, 255 - opacity);
+    const std::uint32_t sum = opacity + ground;
+    if (sum == 0) return;
+    const auto channel = [=](std::uint8_t over, std::uint8_t under) {
+      return static_cast<std::uint8_t>((over * opacity + under * ground + sum / 2) / sum);
+    };
+    pixel = {channel(color.r, pixel.r), channel(color.g, pixel.g), channel(color.b, pixel.b),
+             static_cast<std::uint8_t>(sum)};
+  }
+
+  const Atlas& atlas_;
   Image& image_;
 };
 
 }  // namespace
 
-Image rasterize(const app::DrawList& list, const app::Atlas& atlas, int width, int height) {
-  Image image{width, height, {}};
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  image.rgba.resize(pixels * 4);
-  for (std::size_t i = 0; i < pixels; ++i) image.rgba[i * 4 + 3] = 255;
-
+void rasterize(const DrawList& list, const Atlas& atlas, Image& image) {
   Rasterizer rasterizer(atlas, image);
   const auto vertex = [&](std::size_t i) {
     return &list.vertices[static_cast<std::size_t>(list.indices[i])];
   };
   for (std::size_t i = 0; i + 2 < list.indices.size(); i += 3)
     rasterizer.draw({vertex(i), vertex(i + 1), vertex(i + 2)});
-  return image;
 }
 
-}  // namespace platform
+}  // namespace app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <SDL.h>
+#include <memory>
+#include <stdexcept>
+
+namespace platform {
+
+struct Destroy {
+  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+  void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+  void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Destroy>;
+
+/// What SDL has just made; throws what it says if it could not.
+template <class T>
+Owned<T> owned(T* made) {
+  if (!made) throw std::runtime_error(SDL_GetError());
+  return Owned<T>(made);
+}
+
+}  // namespace platform
