@@ -8,7 +8,7 @@ export NODE_PATH=/usr/share/nodejs # Debian's em++ finds its own modules by this
 
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
-done_mark=$folder/done-5 # a new number whenever this script builds something else
+done_mark=$folder/done-6 # a new number whenever this script builds something else
 [ ! -e "$done_mark" ] || exit 0
 work=$folder/work
 rm -rf "${folder:?}"/*
@@ -49,10 +49,17 @@ cat >src/audio/SDL_audio_resampler_filter.h <<'END'
 static const float ResamplerFilter[] = {1.0f, 0.75f, 0.5f, 0.25f, 0.0f};
 static const float ResamplerFilterDifference[] = {-0.25f, -0.25f, -0.25f, -0.25f, 0.0f};
 END
+# Functions of OpenGL are linked with by name: to look them up all of them would have to be there.
+# Nor does anything draw into the window's pixels.
+sed -i 's/^#if SDL_VIDEO_DRIVER_UIKIT$/#if defined __EMSCRIPTEN__/' \
+  src/render/opengles2/SDL_render_gles2.c
+sed -i '/egl_data->eglGetProcAddress = /d' src/video/emscripten/SDL_emscriptenopengles.c
+sed -i '/device->[A-Za-z]*WindowFramebuffer = /d; /device->GL_GetProcAddress = /d' \
+  src/video/emscripten/SDL_emscriptenvideo.c
 # Without drawing in software, which a page has no use for: half of SDL.
 emcmake cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_INSTALL_PREFIX="$folder" \
   "-DCMAKE_C_FLAGS=-DSDL_LEAN_AND_MEAN=1 -flto" -DSDL_ASSERTIONS=disabled -DSDL_TEST=OFF -DSDL_SHARED=OFF \
-  -DSDL_AUDIO=ON -DSDL_JOYSTICK=OFF -DSDL_HAPTIC=OFF -DSDL_SENSOR=OFF -DSDL_HIDAPI=OFF \
+  -DSDL_AUDIO=ON -DSDL_OPENGL=OFF -DSDL_JOYSTICK=OFF -DSDL_HAPTIC=OFF -DSDL_SENSOR=OFF -DSDL_HIDAPI=OFF \
   -DSDL_OFFSCREEN=OFF -DSDL_DUMMYVIDEO=OFF -DSDL_DISKAUDIO=OFF -DSDL_DUMMYAUDIO=OFF -DSDL_POWER=OFF
 ninja -C build install
 cd "$work"/zlib-*/
