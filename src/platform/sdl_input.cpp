@@ -103,6 +103,10 @@ std::optional<app::PadMoved> pad_moved(const SDL_ControllerAxisEvent& event) {
 
 std::optional<app::Input> Gamepads::event(const SDL_Event& event) {
   switch (event.type) {
+#ifdef __EMSCRIPTEN__
+    case SDL_CONTROLLERDEVICEREMOVED:
+      return app::PadUnplugged{};
+#else
     case SDL_CONTROLLERDEVICEADDED:
       if (SDL_GameController* pad = SDL_GameControllerOpen(event.cdevice.which)) {
         const SDL_JoystickID id = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad));
@@ -112,6 +116,7 @@ std::optional<app::Input> Gamepads::event(const SDL_Event& event) {
     case SDL_CONTROLLERDEVICEREMOVED:
       open_.erase(event.cdevice.which);
       return app::PadUnplugged{};
+#endif
     case SDL_CONTROLLERBUTTONDOWN:
       if (const auto button = pad_button_of(event.cbutton.button)) return app::PadPressed{*button};
       return std::nullopt;

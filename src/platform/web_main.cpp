@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "platform/browser_gamepads.hpp"
 #include "platform/browser_store.hpp"
 #include "platform/sdl_platform.hpp"
 
@@ -53,6 +54,12 @@ std::string taken(char* text) {
 platform::BrowserStore store;
 PageClipboard clipboard;
 std::unique_ptr<platform::GameWindow> window;
+std::unique_ptr<platform::BrowserGamepads> gamepads;
+
+void frame() {
+  gamepads->poll();
+  window->iterate();
+}
 
 }  // namespace
 
@@ -101,6 +108,7 @@ int main() {
   if (!opened) return 1;  // the page says that there is no WebGL
   window = std::move(opened).value();
   page_ready();
-  emscripten_set_main_loop([] { window->iterate(); }, 0, false);
+  gamepads = std::make_unique<platform::BrowserGamepads>();
+  emscripten_set_main_loop(frame, 0, false);
   return 0;
 }
