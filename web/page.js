@@ -61,6 +61,22 @@ function openLink() {
   history.replaceState(null, "", location.pathname + location.search);
 }
 
+// Hidden, the game stands still, and so does what still rings. SDL hears of it, too, and takes no
+// time for played. Nothing has to be kept: the game does so after every turn.
+let muted = false;
+function showOrHide() {
+  Module._web_shown(!document.hidden);
+  const sound = Module.SDL2 && Module.SDL2.audioContext;
+  if (!sound) return;
+  if (document.hidden) {
+    muted = sound.state === "running";
+    if (muted) sound.suspend();
+  } else if (muted) {
+    muted = false;
+    sound.resume();
+  }
+}
+
 var Module = {
   canvas,
   print: (text) => console.log(text),
@@ -80,6 +96,7 @@ var Module = {
     canvas.focus();
     openLink();
     addEventListener("hashchange", openLink);
+    document.addEventListener("visibilitychange", showOrHide);
     document.body.dataset.ready = "yes";
   },
 

@@ -89,6 +89,15 @@ EMSCRIPTEN_KEEPALIVE void web_paste(char* text, std::size_t size) {
   if (window) window->app().event(app::KeyPressed{app::Key::paste});
 }
 
+/// Unseen the game stands still; a page that is hidden gets no frames anyway, but not every browser
+/// is sure of it.
+EMSCRIPTEN_KEEPALIVE void web_shown(bool shown) {
+  if (shown)
+    emscripten_resume_main_loop();
+  else
+    emscripten_pause_main_loop();
+}
+
 }  // extern "C"
 
 int main() {
