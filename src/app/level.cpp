@@ -32,8 +32,9 @@ Level read_level(const std::string& file, const carom::Result<std::string>& byte
     return level;
   }
   const carom::Scene& scene = level.scene.value();
-  if (!scene.name.empty()) level.name = scene.name;
   level.identity = identity_of(scene);
+  // A file that open_file() has kept has the identity for its name, which tells the player nothing.
+  if (!scene.name.empty() || level.name == level.identity) level.name = scene.name;
   return level;
 }
 

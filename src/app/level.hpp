@@ -11,7 +11,7 @@ namespace app {
 
 /// A level of Angry Balls on offer; also one that cannot be played, and why.
 struct Level {
-  std::string name;                   ///< its own, or its file's if it has none
+  std::string name;                   ///< its own, or its file's; may be empty (Words::level_name)
   carom::Result<carom::Scene> scene;  ///< a sound level
   std::string problem;                ///< the first error, with its place; empty if sound
   /// 16 hexadecimal digits that change with anything in the level; empty if it is not sound.

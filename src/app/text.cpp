@@ -438,6 +438,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"Click, or press any key, to go on.", "Cliquez, ou une touche, pour continuer."}},
     {Text::paused_state, {"paused: {0}", "en pause : {0}"}},
     {Text::open_file, {"Open a file", "Ouvrir…"}},
+    {Text::unnamed_level, {"Unnamed level", "Niveau sans nom"}},
     {Text::link_refused, {"This link cannot be opened", "Ce lien est illisible"}},
     {Text::link_damaged,
      {"It is damaged, or not whole: copy it again.",
@@ -513,6 +514,7 @@ std::string Words::tenths(double value) const {
 }
 
 std::string Words::level_name(std::string_view name) const {
+  if (name.empty()) return (*this)(Text::unnamed_level);
   for (const LevelName& known : level_names)
     if (language() == Language::french && known.english == name) return std::string(known.french);
   return std::string(name);

@@ -327,6 +327,7 @@ enum class Text : std::uint16_t {
   hint_paused,
   paused_state,
   open_file,
+  unnamed_level,
   link_refused,
   link_damaged,
   file_refused,

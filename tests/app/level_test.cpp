@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "app/text.hpp"
+
 namespace {
 
 const std::string sound = R"({"carom": 1, "name": "Mine", "width": 100, "height": 50, "balls": [
@@ -20,6 +22,11 @@ TEST(Level, IsCalledLikeItsFileIfItHasNoName) {
   std::string text = sound;
   text.replace(text.find("\"name\": \"Mine\", "), 16, "");
   EXPECT_EQ(app::read_level("mine.json", text).name, "mine");
+  // A link has no file's name, and that of a file kept for the player says nothing.
+  const app::Level kept =
+      app::read_level(app::read_level("mine.json", text).identity + ".json", text);
+  EXPECT_EQ(kept.name, "");
+  EXPECT_EQ(app::Words(app::Language::english).level_name(kept.name), "Unnamed level");
 }
 
 TEST(Level, TheIdentityIsThatOfTheContents) {
