@@ -45,8 +45,9 @@ class Game {
     page.on("pageerror", (error) => this.errors.push(error.stack ?? error.message));
     page.on("console", (message) => {
       // The browser's own look at the icon of a page to be installed, from outside of the page.
-      if (message.type() !== "error" || message.location().url.endsWith("/icon.svg") ||
-        message.text().includes("/icon.svg'")) return;
+      const icon = /\/icon[-\w]*\.(svg|png)/;
+      if (message.type() !== "error" || icon.test(message.location().url) ||
+        icon.test(message.text())) return;
       this.errors.push(message.text());
     });
   }

@@ -1,5 +1,5 @@
 // The page around the game: words for those who do not see the canvas, a focus that leaves it,
-// sound that waits for the player, less motion where that is asked for.
+// sound that waits for the player, less motion where that is asked for; whether it can be installed.
 
 import { join } from "node:path";
 import { carom, check, patience, root, withPage } from "./browser.mjs";
@@ -39,6 +39,27 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
     return [region.getAttribute("role"), region.getAttribute("aria-live"), region.hidden];
   });
   check(live.join() === "status,polite,false", `the live region is ${live}`);
+
+  // Nothing is in the way of installing but that Playwright's pages are private ones.
+  const client = await context.newCDPSession(game.page);
+  await game.page.evaluate(() => navigator.serviceWorker.ready);
+  const { installabilityErrors } = await client.send("Page.getInstallabilityErrors");
+  const hindrances = installabilityErrors.map((error) => error.errorId)
+    .filter((id) => id !== "in-incognito");
+  check(hindrances.length === 0, `cannot be installed: ${hindrances}`);
+  const manifest = await client.send("Page.getAppManifest");
+  check(manifest.errors.length === 0, `the manifest: ${JSON.stringify(manifest.errors)}`);
+  const icons = JSON.parse(manifest.data).icons.filter((icon) => icon.type === "image/png");
+  icons.push({ src: "icon-square-180.png", sizes: "180x180" });
+  for (const { src, sizes } of icons) {
+    const size = await game.page.evaluate(async (src) => {
+      const image = await createImageBitmap(await (await fetch(src)).blob());
+      return `${image.width}x${image.height}`;
+    }, src);
+    check(size === sizes, `${src} is ${size}, not ${sizes}`);
+  }
+  check(icons.some((icon) => icon.sizes === "192x192") &&
+    icons.some((icon) => icon.purpose === "maskable"), "an icon is missing");
 
   // Balls leave trails, unless less motion is asked for.
   const rolling = async (reducedMotion) => {
