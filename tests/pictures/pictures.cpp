@@ -1,0 +1,413 @@
+// Takes a picture of every screen, at the sizes that count and in both languages, to be looked at:
+//   pictures FOLDER [WxH...]
+// FOLDER/WxH/LANGUAGE/NN-name.png, and in FOLDER/figures.txt what each costs to draw.
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "platform/null_platform.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+using app::Key;
+
+struct Size {
+  int width, height;
+  bool phone = false;  ///< played by fingers
+};
+constexpr Size sizes[] = {
+    {1280, 720}, {800, 600}, {1920, 1080}, {390, 844, true}, {844, 390, true}};
+
+std::string read(const std::string& path) {
+  std::ifstream file(SOURCE_DIR "/" + path, std::ios::binary);
+  if (!file) {
+    std::fprintf(stderr, "cannot read %s\n", path.c_str());
+    std::exit(1);
+  }
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// How often a pixel is drawn over, on average.
+double layers(const app::DrawList& list, Size size) {
+  double area = 0;
+  for (std::size_t i = 0; i + 2 < list.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) {
+      return list.vertices[static_cast<std::size_t>(list.indices[i + k])].position;
+    };
+    area += 0.5 * std::abs(static_cast<double>(dot(turned(at(1) - at(0)), at(2) - at(0))));
+  }
+  return area / (static_cast<double>(size.width) * static_cast<double>(size.height));
+}
+
+class Visitor {
+ public:
+  Visitor(const std::filesystem::path& folder, Size size, bool french, std::ofstream& figures)
+      : folder_(folder / (std::to_string(size.width) + "x" + std::to_string(size.height)) /
+                (french ? "fr" : "en")),
+        size_(size),
+        french_(french),
+        figures_(figures) {
+    std::filesystem::create_directories(folder_);
+  }
+
+  void visit() {
+    titles();
+    billiards();
+    end_of_billiards();
+    practice();
+    levels();
+    replays();
+    settings();
+    palettes();
+    troubles();
+  }
+
+ private:
+  /// A program just started, with what is kept in `store`.
+  struct Game : platform::NullPlatform {
+    Game(const Visitor& visitor, app::Store& store)
+        : NullPlatform(visitor.french_ ? app::Language::french : app::Language::english,
+                       visitor.size_.width, visitor.size_.height, {}, store) {
+      if (!visitor.size_.phone) return;
+      for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
+        app().event(app::Finger{0, phase, {1, 1}});
+    }
+    void key(Key key) {
+      app().event(app::KeyPressed{key});
+      app().event(app::KeyReleased{key});
+    }
+    /// The button whose label has `text` in it; of several, the one on top.
+    void press(const std::string& text) {
+      const app::Box* found = nullptr;
+      const app::DrawList& list = app().draw();
+      for (const app::Box& box : list.boxes)
+        if (box.kind == app::Box::Kind::button && box.text.find(text) != std::string::npos)
+          found = &box;
+      if (found)
+        click(found->area.center());
+      else
+        std::fprintf(stderr, "no button %s in %s\n", text.c_str(), app().describe().c_str());
+    }
+    /// Pulls the ball that waits; `back`: in its radii.
+    bool pull(app::Point back) {
+      const auto call = app().screen().call();
+      if (!call) {
+        std::fprintf(stderr, "no ball to pull in %s\n", app().describe().c_str());
+        return false;
+      }
+      app().event(app::PointerMoved{call->at});
+      app().event(app::PointerPressed{call->at});
+      held_ = call->at + back * call->radius;
+      app().event(app::PointerMoved{held_});
+      return true;
+    }
+    void let_go() { app().event(app::PointerReleased{held_}); }
+    /// Angle in degrees, speed in px/s, as typed in.
+    void shoot(const std::string& angle, const std::string& speed) {
+      for (const std::string& number : {angle, speed}) {
+        for (const char sign : number) app().event(app::TextTyped{{sign}});
+        key(number == angle ? Key::tab : Key::enter);
+      }
+      key(Key::enter);
+    }
+    void wait_for(const std::string& text) {
+      for (int i = 0; i < 6000 && app().describe().find(text) == std::string::npos; ++i) pass(10ms);
+      if (app().describe().find(text) == std::string::npos)
+        std::fprintf(stderr, "no %s in %s\n", text.c_str(), app().describe().c_str());
+    }
+    app::Point held_;
+  };
+
+  std::string say(const char* english, const char* french) const {
+    return french_ ? french : english;
+  }
+
+  void take(Game& game, const std::string& name) {
+    char number[16];
+    std::snprintf(number, sizeof number, "%02d-", ++taken_);
+    const std::filesystem::path path = folder_ / (number + name + ".png");
+    if (const carom::Status written = game.screenshot(path); !written) {
+      std::fprintf(stderr, "cannot write %s\n", path.c_str());
+      std::exit(1);
+    }
+    const app::DrawList& list = game.app().draw();
+    char line[160];
+    std::snprintf(line, sizeof line, "%dx%d %s %-28s %6zu vertices %5.2f layers\n", size_.width,
+                  size_.height, french_ ? "fr" : "en", name.c_str(), list.vertices.size(),
+                  layers(list, size_));
+    figures_ << line;
+  }
+
+  void titles() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    take(game, "title");
+    game.key(Key::tab);
+    game.key(Key::tab);
+    take(game, "title-focus");
+    game.key(Key::help);
+    take(game, "help");
+    game.key(Key::right);
+    take(game, "help-2");
+    game.press(say("Keys", "Touches"));
+    take(game, "keys");
+    game.key(Key::escape);
+    game.key(Key::escape);
+    game.key(Key::paste);
+    take(game, "title-nothing-to-paste");
+
+    app::MemoryStore kept;
+    (void)kept.save("continue-billiards.json",
+                    read("tests/replays/billiards-left-in-the-middle.json"));
+    (void)kept.save("continue-level.json", read("tests/replays/level-random-lost.json"));
+    Game later(*this, kept);
+    take(later, "title-later");
+    later.press(say("Billiards", "Billard"));
+    take(later, "title-give-up");
+    later.key(Key::escape);
+    later.press(say("Continue: b", "Reprendre : bill"));
+    take(later, "loading");
+    later.pass(2s);
+    take(later, "billiards-continued");
+  }
+
+  void billiards() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    game.app().teach_beginners();
+    game.press(say("Billiards", "Billard"));
+    game.pass(600ms);
+    take(game, "billiards-first-turn");
+    game.pass(2400ms);
+    take(game, "billiards-lesson");
+    if (game.pull({-9, 1})) take(game, "aim-pull");
+    game.key(Key::escape);
+    game.let_go();
+    game.app().rest(30s);
+    game.pass(1500ms);
+    take(game, "billiards-reminder");
+    for (int i = 0; i < 30; ++i) game.key(Key::up);
+    take(game, "aim-keys");
+    game.app().event(app::TextTyped{"1"});
+    game.app().event(app::TextTyped{"2"});
+    take(game, "aim-numbers");
+    game.key(Key::escape);
+    game.key(Key::up);
+    game.shoot("-2.5", "1500");
+    game.pass(420ms);
+    take(game, "billiards-rolling");
+    game.key(Key::p);
+    take(game, "billiards-pause");
+    game.key(Key::p);
+    game.pass(15s);
+    take(game, "billiards-second-player");
+    game.key(Key::escape);
+    take(game, "billiards-leave");
+    game.key(Key::escape);
+    // Into a corner hole.
+    game.key(Key::up);
+    game.shoot("135.5", "900");
+    game.pass(15s);
+    take(game, "billiards-after-two-shots");
+  }
+
+  /// A game whose next turn pockets the cue ball, and the last turn of a whole one.
+  void end_of_billiards() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    (void)game.clipboard().set_text(read("tests/replays/billiards-whole.json"));
+    game.key(Key::paste);
+    game.pass(1500ms);
+    take(game, "replay-start");
+    for (int i = 0; i < 12; ++i) game.key(Key::right);
+    game.pass(700ms);
+    take(game, "replay-middle");
+    game.press(say("Save", "Garder"));
+    take(game, "replay-saved");
+    for (int i = 0; i < 200; ++i) game.key(Key::right);
+    game.pass(20s);
+    take(game, "replay-end");
+  }
+
+  void practice() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    game.press(say("Practice", "S’exercer"));
+    game.pass(3s);
+    take(game, "practice");
+    game.key(Key::up);
+    game.shoot("-3", "1400");
+    game.pass(20s);
+    take(game, "practice-after");
+  }
+
+  void levels() {
+    {
+      app::MemoryStore store;
+      Game game(*this, store);
+      game.press("Angry Balls");
+      take(game, "levels");
+      for (int i = 0; i < 3; ++i) game.key(Key::right);
+      take(game, "levels-focus");
+    }
+    for (int number = 1; number <= 10; ++number) level(number);
+  }
+
+  void choose(Game& game, int number) {
+    game.press("Angry Balls");
+    for (int page = 0; page < 10; ++page) {
+      const app::DrawList& list = game.app().draw();
+      for (const app::Box& box : list.boxes) {
+        if (box.kind != app::Box::Kind::button ||
+            ("\n" + box.text).find("\n" + std::to_string(number) + "\n") == std::string::npos)
+          continue;
+        const app::Point at = box.area.center();
+        return game.click(at);
+      }
+      game.press("›");
+    }
+    std::fprintf(stderr, "no level %d in %s\n", number, game.app().describe().c_str());
+  }
+
+  void level(int number) {
+    const std::string name = "level-" + std::to_string(number);
+    app::MemoryStore store;
+    Game game(*this, store);
+    if (number == 1) game.app().teach_beginners();
+    choose(game, number);
+    game.pass(600ms);
+    if (number == 1) take(game, name + "-begins");
+    game.pass(2400ms);
+    if (number == 1) take(game, name + "-lesson");
+    if (game.pull({-7, 4})) take(game, name + "-aim");
+    game.key(Key::escape);
+    game.let_go();
+    game.key(Key::up);
+    game.shoot(number == 1 ? "-5" : "35", number == 1 ? "650" : "900");
+    game.pass(number == 1 ? 300ms : 900ms);
+    take(game, name + "-flight");
+    game.pass(12s);
+    take(game, name + "-after");
+    if (number != 5) return;
+    game.key(Key::escape);
+    take(game, name + "-leave");
+    game.key(Key::escape);
+    for (int i = 0; i < 2; ++i) {
+      game.key(Key::n);
+      game.pass(1s);
+      game.key(Key::up);
+      game.shoot("170", "900");
+      game.pass(12s);
+    }
+    take(game, name + "-third-over");
+    game.key(Key::n);
+    take(game, name + "-lost");
+  }
+
+  void replays() {
+    app::MemoryStore store;
+    for (int i = 0; i < 6; ++i)
+      (void)store.save(
+          "replays/replay-" + std::to_string(i) + ".json",
+          read(i % 2 ? "tests/replays/level-06-won.json" : "tests/replays/billiards-whole.json"));
+    (void)store.save("replays/broken.json", "{");
+    Game game(*this, store);
+    game.press(say("Replays", "Revoir"));
+    take(game, "replays");
+    game.key(Key::escape);
+    (void)game.clipboard().set_text(read("tests/replays/level-09-won.json"));
+    game.key(Key::paste);
+    game.pass(3s);
+    take(game, "replay-level");
+    game.key(Key::escape);
+    (void)game.clipboard().set_text(read("tests/replays/diverging/another-hash.json"));
+    game.key(Key::paste);
+    game.pass(20s);
+    take(game, "replay-diverges");
+    app::MemoryStore nothing;
+    Game empty(*this, nothing);
+    empty.press(say("Replays", "Revoir"));
+    take(empty, "replays-none");
+  }
+
+  void settings() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    for (int page = 0; page < 4; ++page) {
+      game.key(Key::settings);
+      game.key(Key::tab);
+      for (int i = 0; i < page; ++i) game.key(Key::right);
+      take(game, "settings-" + std::to_string(page + 1));
+      game.key(Key::tab);
+      game.key(Key::tab);
+      take(game, "settings-" + std::to_string(page + 1) + "-focus");
+      game.key(Key::escape);
+    }
+  }
+
+  /// The colours, a table and a level in each.
+  void palettes() {
+    for (const app::Colours colours :
+         {app::Colours::red_green, app::Colours::blue_yellow, app::Colours::high_contrast}) {
+      const std::string name = "palette-" + std::to_string(static_cast<int>(colours));
+      app::MemoryStore store;
+      Game game(*this, store);
+      app::Settings settings = game.app().settings().get();
+      settings.colours = colours;
+      game.app().settings().set(settings);
+      take(game, name + "-title");
+      game.press(say("Billiards", "Billard"));
+      game.pass(3s);
+      if (game.pull({-9, 1})) take(game, name + "-table");
+      Game other(*this, store);
+      choose(other, 9);
+      other.pass(3s);
+      if (other.pull({-7, 4})) take(other, name + "-level");
+    }
+  }
+
+  void troubles() {
+    app::MemoryStore store;
+    (void)store.save("settings.json", "{");
+    (void)store.save("continue-billiards.json", "{");
+    Game game(*this, store);
+    take(game, "settings-broken");
+    game.key(Key::enter);
+    take(game, "kept-broken");
+    game.key(Key::enter);
+    game.app().open_file("picture.txt", "hello");
+    take(game, "wrong-file");
+  }
+
+  std::filesystem::path folder_;
+  Size size_;
+  bool french_;
+  std::ofstream& figures_;
+  int taken_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fputs("usage: pictures FOLDER [WxH...]\n", stderr);
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  std::ofstream figures(folder / "figures.txt");
+  for (const Size size : sizes) {
+    const std::string name = std::to_string(size.width) + "x" + std::to_string(size.height);
+    bool wanted = argc == 2;
+    for (int i = 2; i < argc; ++i) wanted = wanted || name == argv[i];
+    if (!wanted) continue;
+    for (const bool french : {false, true}) Visitor(folder, size, french, figures).visit();
+  }
+  return 0;
+}
