@@ -360,11 +360,8 @@ bool BilliardsScreen::animating() const {
 }
 
 void BilliardsScreen::draw(Canvas& canvas) const {
-  const Rect all = canvas.view.area();
   const double fraction = game().phase() == Phase::roll ? clock_.fraction() : 1;
-  fill_rounded(canvas.list, all, 0,
-               Paint::vertical(all, palette::slate_top, palette::slate_bottom));
-  draw_table(canvas.list, viewport_, game().world().scene());
+  draw_table(canvas.list, canvas.view.area(), viewport_, game().world().scene());
   bar_.draw(canvas, bar_content());
   canvas.list.stand_still();
   effects_.draw_under_balls(canvas.list, viewport_);

@@ -315,9 +315,7 @@ void ReplayScreen::draw_world(Canvas& canvas) const {
     if (!canvas.calm) draw_level_trails(list, viewport_, world, *level, motion_, fraction);
     draw_level_balls(list, world_, viewport_, world, *level, motion_, fraction);
   } else {
-    const Rect all = canvas.view.area();
-    fill_rounded(list, all, 0, Paint::vertical(all, palette::slate_top, palette::slate_bottom));
-    draw_table(list, viewport_, world.scene());
+    draw_table(list, canvas.view.area(), viewport_, world.scene());
     list.stand_still();
     effects_.draw_under_balls(list, viewport_);
     if (!canvas.calm) draw_table_trails(list, viewport_, world, motion_, fraction);

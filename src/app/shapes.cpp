@@ -180,6 +180,32 @@ void fill_under(DrawList& list, std::span<const Point> ridge, float bottom, cons
   }
 }
 
+void fill_lamplit(DrawList& list, const Rect& box, const Lamp& lamp) {
+  if (box.w <= 0 || box.h <= 0) return;
+  const auto cells = [](float length, float reach) {
+    return static_cast<std::int32_t>(std::clamp(std::ceil(12 * length / reach), 1.0f, 32.0f));
+  };
+  const std::int32_t columns = cells(box.w, lamp.across);
+  const std::int32_t rows = cells(box.h, lamp.down);
+  for (std::int32_t row = 0; row <= rows; ++row) {
+    for (std::int32_t column = 0; column <= columns; ++column) {
+      const Point p{box.x + box.w * static_cast<float>(column) / static_cast<float>(columns),
+                    box.y + box.h * static_cast<float>(row) / static_cast<float>(rows)};
+      const std::int32_t at = list.add(p, mix(lamp.dark, lamp.lit, lamp.strength(p)));
+      if (row > 0 && column > 0) list.quad(at - columns - 2, at - columns - 1, at, at - 1);
+    }
+  }
+}
+
+void fill_between(DrawList& list, std::span<const Point> a, Color color_a, std::span<const Point> b,
+                  Color color_b) {
+  const auto n = static_cast<std::int32_t>(std::min(a.size(), b.size()));
+  const auto first = static_cast<std::int32_t>(list.vertices.size());
+  for (std::int32_t i = 0; i < n; ++i) list.add(a[static_cast<std::size_t>(i)], color_a);
+  for (std::int32_t i = 0; i < n; ++i) list.add(b[static_cast<std::size_t>(i)], color_b);
+  bridge(list, first, first + n, n);
+}
+
 void clip(DrawList& list, std::size_t first, const Rect& area) {
   if (area.w < 0 || area.h < 0) return;  // a window of next to no size
   for (std::size_t i = first; i < list.vertices.size(); ++i) {

@@ -68,6 +68,27 @@ void fill_under(DrawList& list, std::span<const Point> ridge, float bottom, cons
 /// A light or shadow that fades smoothly from its centre to its edge.
 void glow(DrawList& list, Point center, float across, float down, Color color);
 
+/// Light that falls off from `center` to an ellipse.
+struct Lamp {
+  Point center;
+  float across = 1;  ///< px, to the ellipse; above 0
+  float down = 1;
+  Color lit;   ///< what the centre looks like
+  Color dark;  ///< and all beyond the ellipse
+
+  /// 1 at the centre, 0 beyond the ellipse.
+  float strength(Point p) const {
+    const Point off{(p.x - center.x) / across, (p.y - center.y) / down};
+    const float t = std::max(1 - dot(off, off), 0.0f);
+    return t * t;
+  }
+};
+/// Fills a box with a lamp's light, in one layer.
+void fill_lamplit(DrawList& list, const Rect& box, const Lamp& lamp);
+/// Fills between two closed outlines of as many points.
+void fill_between(DrawList& list, std::span<const Point> a, Color color_a, std::span<const Point> b,
+                  Color color_b);
+
 /// Squeezes what was drawn from vertex `first` on into `area`: for what fades or is one colour
 /// there.
 void clip(DrawList& list, std::size_t first, const Rect& area);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "app/balls.hpp"
+#include "app/noise.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 #include "app/trails.hpp"
@@ -20,12 +22,20 @@ constexpr double jaw = 7;  ///< how much longer a cushion is at the wood than at
 class TablePainter {
  public:
   TablePainter(DrawList& list, const Viewport& viewport, const carom::Scene& scene)
-      : list_(list), viewport_(viewport), scene_(scene) {}
+      : list_(list), viewport_(viewport), scene_(scene) {
+    // A lamp hangs above the middle.
+    const Rect play = around(0);
+    lamp_ = {play.center(), std::max(play.w * 0.68f, 1.0f), std::max(play.h * 0.86f, 1.0f),
+             list_.palette->felt_lit, mix(list_.palette->felt, list_.palette->felt_dark, 0.35f)};
+  }
 
-  void paint() {
+  void paint(const Rect& window) {
+    room(window);
     wood();
     sights();
-    fill_rounded(list_, around(cushion_width), px(7), list_.palette->felt_dark);
+    // What the cushions leave free at the pockets.
+    fill_between(list_, rounded(around(cushion_width), px(7)), list_.palette->felt_dark,
+                 rounded(around(-1), px(7)), list_.palette->felt_dark);
     for (const carom::Hole& hole : scene_.holes) pocket_leather(hole);
     bed();
     cushions();
@@ -41,15 +51,73 @@ class TablePainter {
     return {corner.x, corner.y, px(scene_.width + 2 * by), px(scene_.height + 2 * by)};
   }
 
+  /// The floor, where the lamp still reaches it, and the table's shadow.
+  void room(const Rect& window) {
+    const Rect outer = around(table_margin);
+    Lamp lamp{outer.center(), std::max(outer.w * 0.8f, 1.0f), std::max(outer.h * 0.95f, 1.0f),
+              mix(palette::panel_lit, list_.palette->felt_dark, 0.4f), palette::slate_bottom};
+    // Nothing is painted where the table stands, but for its round corners.
+    Rect rest = window;
+    Rect hidden = outer.inset(px(wood_radius) * 0.4f);
+    hidden.w = std::max(hidden.w, 0.0f);
+    hidden.h = std::max(hidden.h, 0.0f);
+    fill_lamplit(list_, rest.cut_top(hidden.y - rest.y), lamp);
+    fill_lamplit(list_, rest.cut_bottom(rest.bottom() - hidden.bottom()), lamp);
+    fill_lamplit(list_, rest.cut_left(hidden.x - rest.x), lamp);
+    fill_lamplit(list_, rest.cut_right(rest.right() - hidden.right()), lamp);
+    const float soft = px(26);
+    const float radius = px(wood_radius);
+    fill_between(list_, rounded(outer.inset(px(2)), radius), palette::shadow,
+                 rounded(outer.moved({soft * 0.3f, soft * 0.5f}).inset(-soft * 0.7f), radius),
+                 {0, 0, 0, 0});
+  }
+
+  /// A frame of wood: rings of vertices whose colours are grain and light at once.
   void wood() {
     const Rect outer = around(table_margin);
-    fill_rounded(list_, outer.moved({0, px(8)}).inset(-px(4)), px(wood_radius), palette::shadow,
-                 px(30));
-    fill_rounded(list_, outer, px(wood_radius), palette::walnut);
     const float width = px(table_margin - cushion_width);
-    for (int side = 0; side < 4; ++side) rail(outer, width, side);
-    grain(outer, width);
-    stroke_rounded(list_, outer, px(wood_radius), px(2), palette::walnut_dark);
+    constexpr std::int32_t rings = 12;
+    constexpr std::int32_t side_points = 26;
+    constexpr std::int32_t corner_points = 5;
+    constexpr std::int32_t n = 4 * (side_points + corner_points);
+    const float radius = px(wood_radius);
+    const Point light{-0.5f, -0.85f};
+    for (std::int32_t ring = 0; ring <= rings; ++ring) {
+      const float depth = static_cast<float>(ring) / rings;
+      const Rect edge = outer.inset(width * depth);
+      const float r = std::max(radius - width * depth, 0.0f);
+      const std::array centers{Point{edge.right() - r, edge.y + r},
+                               Point{edge.right() - r, edge.bottom() - r},
+                               Point{edge.x + r, edge.bottom() - r}, Point{edge.x + r, edge.y + r}};
+      for (std::int32_t i = 0; i < n; ++i) {
+        // Clockwise, the top side first, each followed by the corner at its end.
+        const std::int32_t side = i / (side_points + corner_points);
+        const std::int32_t k = i % (side_points + corner_points);
+        const float quarter = std::numbers::pi_v<float> / 2;
+        const float along = static_cast<float>(std::min(k, side_points)) / side_points;
+        const float bend = static_cast<float>(std::max(k - side_points, 0)) / corner_points;
+        const float angle = quarter * (static_cast<float>(side) - 1 + bend);
+        const Point outwards{std::cos(angle), std::sin(angle)};
+        const Point from = centers[static_cast<std::size_t>((side + 3) % 4)];
+        const Point to = centers[static_cast<std::size_t>(side)];
+        const Point p = from + (to - from) * along + outwards * r;
+
+        // Round across: the outer half faces outwards, the inner half the bed.
+        const float slope = 1 - 2 * depth;
+        const float facing = dot(outwards, light) * slope * slope * slope;
+        const auto row = static_cast<std::uint32_t>(ring);
+        const float streak = noise(20, row) - 0.5f;
+        const float figure = noise(21 + row, static_cast<std::uint32_t>(i)) - 0.5f;
+        const float value = 0.42f + 0.32f * facing + 0.55f * lamp_.strength(p) * (0.4f + depth) +
+                            0.22f * streak + 0.17f * figure;
+        const std::int32_t at = list_.add(p, mix(palette::walnut_dark, palette::walnut_lit, value));
+        if (ring == 0) continue;
+        const std::int32_t next = i + 1 < n ? at + 1 : at + 1 - n;
+        list_.quad(at - n, next - n, next, at);
+      }
+    }
+    joints(outer, width);
+    stroke_rounded(list_, outer, radius, px(2), palette::walnut_dark);
     stroke_rounded(list_, outer.inset(px(2.2)), px(wood_radius - 2.2), px(1.2),
                    Paint::vertical(outer, faded(palette::brass_lit, 0.5f), {0, 0, 0, 60}));
     // A brass inlay borders the bed.
@@ -58,45 +126,17 @@ class TablePainter {
                    Paint::vertical(outer, palette::brass_lit, palette::brass));
   }
 
-  /// One of the four rails, mitred: 0 right, 1 bottom, 2 left, 3 top.
-  void rail(const Rect& outer, float width, int side) {
-    const Outline edge = rounded(outer, px(wood_radius));
+  /// Where two rails meet.
+  void joints(const Rect& outer, float width) {
     const Rect inner = outer.inset(width);
-    const std::array corners{Point{inner.right(), inner.y}, Point{inner.right(), inner.bottom()},
-                             Point{inner.x, inner.bottom()}, Point{inner.x, inner.y}};
-    const Point from = corners[static_cast<std::size_t>(side)];
-    const Point to = corners[static_cast<std::size_t>((side + 1) % 4)];
-    const Point outwards = turned(unit(to - from)) * -1;
-
-    Outline outline{to, from};
-    // Its part of the edge: what lies beyond both mitres, which run diagonally.
-    const Point along = unit(to - from);
-    Outline beyond;
-    for (const Point& p : edge) {
-      const float out = dot(p - from, outwards);
-      if (out > 0 && dot(p - from, along) >= -out && dot(p - to, along) <= out) beyond.push_back(p);
-    }
-    if (beyond.empty()) return;  // a window of next to no size
-    std::ranges::sort(beyond, {}, [&](Point p) { return dot(p, along); });
-    outline.insert(outline.end(), beyond.begin(), beyond.end());
-    const bool lit = side >= 2;  // left and top face the lamp's side
-    fill(list_, outline,
-         Paint(from + outwards * width, lit ? palette::walnut_lit : palette::walnut, from,
-               lit ? palette::walnut : mix(palette::walnut, palette::walnut_dark, 0.45f)));
-    line(list_, from, beyond.front(), px(1), faded(palette::walnut_dark, 0.6f));
-  }
-
-  /// Fine darker streaks along the rails.
-  void grain(const Rect& outer, float rail) {
-    const float inset = px(wood_radius);
-    for (int i = 1; i < 6; ++i) {
-      const float off = rail * static_cast<float>(i) / 6 + px(i % 2 == 0 ? 1.2 : -1);
-      const Color streak = faded(palette::walnut_dark, i % 2 == 0 ? 0.13f : 0.2f);
-      const float width = px(i % 3 == 0 ? 1.6 : 0.9);
-      for (const float y : {outer.y + off, outer.bottom() - off})
-        line(list_, {outer.x + inset, y}, {outer.right() - inset, y}, width, streak);
-      for (const float x : {outer.x + off, outer.right() - off})
-        line(list_, {x, outer.y + inset}, {x, outer.bottom() - inset}, width, streak);
+    const float cut = px(wood_radius) * 0.3f;  // off the round corner
+    for (const float x : {-1.0f, 1.0f}) {
+      for (const float y : {-1.0f, 1.0f}) {
+        const Point m = outer.center();
+        const Point from = m + Point{x * inner.w / 2, y * inner.h / 2};
+        line(list_, from, from + Point{x, y} * (width - cut), px(1),
+             faded(palette::walnut_dark, 0.7f));
+      }
     }
   }
 
@@ -128,12 +168,7 @@ class TablePainter {
   }
 
   void bed() {
-    const Rect play = around(0);
-    fill_rounded(list_, play, 0, list_.palette->felt);
-    // A lamp hangs above the middle.
-    glow(list_, play.center(), play.w * 0.5f, play.h * 0.5f, faded(list_.palette->felt_lit, 0.55f));
-    glow(list_, play.center(), play.w * 0.3f, play.h * 0.42f,
-         faded(list_.palette->felt_lit, 0.45f));
+    fill_lamplit(list_, around(0), lamp_);
     // The line and the spot that the cue ball and the rack start from.
     const Color chalk{245, 236, 216, 44};
     line(list_, at(scene_.width / 4, 0), at(scene_.width / 4, scene_.height), px(1.2), chalk);
@@ -151,17 +186,16 @@ class TablePainter {
     const Point b = viewport_.to_window(nose_to);
     const std::array strip{a, b, corner(nose_to, 1), corner(nose_from, -1)};
     const Point foot = viewport_.to_window(nose_from + out);
-    // Its shadow falls down and to the right, like the balls'.
+    // It overhangs the bed, and its shadow falls down and to the right, like the balls'.
     const Point inwards = unit(a - foot);
-    if (inwards.x + inwards.y > 0) {
-      const Point depth = inwards * px(9);
-      fill(list_, std::array{a, b, b + depth, a + depth},
-           Paint(a, {0, 0, 0, 90}, a + depth, {0, 0, 0, 0}));
-    }
     const bool lit = inwards.x + inwards.y < 0;
+    const Point depth = inwards * px(lit ? 4 : 10);
+    fill(list_, std::array{a, b, b + depth, a + depth},
+         Paint(a, {0, 0, 0, 100}, a + depth, {0, 0, 0, 0}));
+    const Color high = list_.palette->cushion;
     fill(list_, strip,
-         Paint(foot, lit ? list_.palette->cushion : list_.palette->felt_dark, a,
-               lit ? list_.palette->cushion_lit : list_.palette->cushion));
+         Paint(foot, lit ? high : mix(high, list_.palette->felt_dark, 0.75f), a,
+               lit ? list_.palette->cushion_lit : high));
     line(list_, a, b, px(1.2), faded(list_.palette->cushion_lit, lit ? 1 : 0.75f));
   }
 
@@ -201,12 +235,14 @@ class TablePainter {
   DrawList& list_;
   const Viewport& viewport_;
   const carom::Scene& scene_;
+  Lamp lamp_;
 };
 
 }  // namespace
 
-void draw_table(DrawList& list, const Viewport& viewport, const carom::Scene& scene) {
-  TablePainter(list, viewport, scene).paint();
+void draw_table(DrawList& list, const Rect& window, const Viewport& viewport,
+                const carom::Scene& scene) {
+  TablePainter(list, viewport, scene).paint(window);
 }
 
 void draw_table_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
