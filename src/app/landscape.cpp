@@ -42,21 +42,10 @@ void draw_clouds(DrawList& list, const Rect& area, float horizon, float unit) {
 }
 
 void draw_hills(DrawList& list, const Rect& area, float horizon, float unit) {
-  constexpr int points = 96;
-  for (std::uint32_t range = 0; range < 3; ++range) {
-    const auto depth = static_cast<float>(range);
-    std::vector<Point> ridge;
-    for (int i = 0; i <= points; ++i) {
-      const float x = area.x + area.w * static_cast<float>(i) / points;
-      // Waves of lengths that never meet again.
-      const float at = (x - area.center().x) / unit * (1.5f + 0.8f * depth) + 11 * depth;
-      const float wave = 0.5f + 0.26f * std::sin(at * 1.7f) + 0.16f * std::sin(at * 4.1f + 1) +
-                         0.05f * std::sin(at * 11.3f + 2);
-      ridge.push_back({x, horizon - unit * (0.30f - 0.09f * depth) * wave - unit * 0.02f});
-    }
+  for (int range = 0; range < 3; ++range) {
     const Color color = palette::hills[range];
     const Rect body{area.x, horizon - unit * 0.3f, area.w, unit * 0.3f};
-    fill_under(list, ridge, horizon,
+    fill_under(list, ridge(area, horizon, unit, range), horizon,
                Paint::vertical(body, color, mix(color, palette::sky_low, 0.3f)));
   }
 }
@@ -92,6 +81,21 @@ void draw_ground(DrawList& list, const Rect& area, float horizon, float unit) {
 }
 
 }  // namespace
+
+Outline ridge(const Rect& area, float horizon, float unit, int range) {
+  constexpr int points = 96;
+  const auto depth = static_cast<float>(range);
+  Outline line;
+  for (int i = 0; i <= points; ++i) {
+    const float x = area.x + area.w * static_cast<float>(i) / points;
+    // Waves of lengths that never meet again.
+    const float at = (x - area.center().x) / unit * (1.5f + 0.8f * depth) + 11 * depth;
+    const float wave = 0.5f + 0.26f * std::sin(at * 1.7f) + 0.16f * std::sin(at * 4.1f + 1) +
+                       0.05f * std::sin(at * 11.3f + 2);
+    line.push_back({x, horizon - unit * (0.30f - 0.09f * depth) * wave - unit * 0.02f});
+  }
+  return line;
+}
 
 void draw_landscape(DrawList& list, const Rect& area, float horizon, float unit) {
   if (area.w < 1 || area.h < 1 || unit < 1) {  // nothing to be seen of it

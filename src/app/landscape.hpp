@@ -1,8 +1,11 @@
 #pragma once
 
-#include "app/draw_list.hpp"
+#include "app/shapes.hpp"
 
 namespace app {
+
+/// The skyline of far hills, from left to right: range 0 is the farthest of three.
+Outline ridge(const Rect& area, float horizon, float unit, int range);
 
 /// Sky, far hills and the ground, whose surface lies at `horizon` (window y). `unit`: the height
 /// that the hills are measured by, px.

@@ -5,6 +5,7 @@
 #include "app/balls.hpp"
 #include "app/faces.hpp"
 #include "app/label.hpp"
+#include "app/landscape.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 
@@ -14,9 +15,26 @@ using replay::Kind;
 
 namespace {
 
-constexpr float rail = 40;  ///< units, the wood along the bottom
+constexpr float rail = 40;  ///< units, how high the wood is
 constexpr int rows = 8;     ///< of the rack
 constexpr float row_distance = 1.7320508f;
+constexpr Color dusk = rgb(0xd8743c);
+
+/// Where the poster's parts stand.
+struct Poster {
+  float r;  ///< px, of a red ball
+  Point apex;
+  Point cue;
+  Point sun;
+
+  explicit Poster(const Rect& art) {
+    // In radii: the pile is 16 wide, 14.2 high, on its apex are horns; 5 more for who comes.
+    r = std::min(art.w / 21, art.h / 16.2f);
+    apex = {art.center().x + r * 2.5f, art.bottom() - r * (1 + (rows - 1) * row_distance)};
+    cue = apex + Point{-r * 6.6f, r * 0.9f};
+    sun = cue + Point{r * 1.6f, r * 3.4f};
+  }
+};
 
 }  // namespace
 
@@ -114,13 +132,19 @@ void TitleScreen::resize(const View& view) {
   view_ = view;
   if (question_) question_->dialog.resize(view);
   Rect rest = view.area();
-  rest.cut_bottom(view.px(rail));
-  rest = rest.inset(view.px(32), view.px(24));
   const bool tall = view.height > view.width;
+  rail_ = rest;
+  if (!tall) rail_ = rest.cut_bottom(view.px(rail));
+  rest = rest.inset(view.px(32), view.px(24));
   Rect words = tall ? rest.cut_bottom(std::min(view.px(448), rest.h * 0.64f))
                     : rest.cut_left(std::max(std::min(rest.w * 0.45f, view.px(480)),
                                              std::min(rest.w * 0.58f, view.px(288))));
+  if (tall) {
+    rest.cut_bottom(view.px(8));
+    rail_ = {0, rest.cut_bottom(view.px(rail)).y, view.width, view.px(rail)};
+  }
   art_ = rest;
+  art_.h = rail_.y - art_.y;
   if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(456)));
 
   // Heights give way together in a very low window, and to games that are offered again.
@@ -132,7 +156,7 @@ void TitleScreen::resize(const View& view) {
   words.cut_top(unit * 4);
   tagline_ = words.cut_top(unit * 32);
   words.cut_top(unit * 20);
-  const float width = std::min(words.w, view.px(304));
+  const float width = std::min(words.w, view.px(tall ? 360 : 304));
   const float left = tall ? words.center().x - width / 2 : words.x;
   Rect row;
   const auto next_row = [&] {
@@ -299,7 +323,12 @@ void TitleScreen::draw(Canvas& canvas) const {
     dark.color = faded(palette::ink, 0.55f);
     label(canvas, box.moved(drop), dark, word);
     canvas.list.boxes.pop_back();  // a shadow is no text
+    const std::size_t first = canvas.list.vertices.size();
     label(canvas, box, style, word);
+    const Paint lit =
+        Paint::vertical(box, palette::ivory, mix(palette::ivory, palette::brass, 0.3f));
+    for (std::size_t i = first; i < canvas.list.vertices.size(); ++i)
+      canvas.list.vertices[i].color = lit.at(canvas.list.vertices[i].position);
   }
   const std::string tip = buttons_.tip();
   label(canvas, tagline_, {Face::regular, tip.empty() ? 20.0f : 18.0f, palette::brass_lit, align},
@@ -316,21 +345,44 @@ void TitleScreen::draw(Canvas& canvas) const {
   if (question_) question_->dialog.draw(canvas);
 }
 
+/// Dusk over the table's rail; on a tall window the felt lies below it.
 void TitleScreen::draw_background(Canvas& canvas) const {
   DrawList& list = canvas.list;
+  const Palette& colours = *list.palette;
   const Rect all = canvas.view.area();
-  fill_rounded(list, all, 0, Paint::vertical(all, list.palette->felt_dark, list.palette->felt));
-  const Point lamp = art_.center();
-  glow(list, lamp, all.w * 0.75f, all.h * 0.9f, faded(list.palette->felt_lit, 0.85f));
+  const Rect sky{0, 0, all.w, rail_.y};
+  const Poster poster(art_);
+  fill_lamplit(list, sky,
+               {poster.sun, std::max(poster.r * 24, 1.0f), std::max(poster.r * 20, 1.0f),
+                mix(colours.felt_lit, palette::sky_low, 0.6f), colours.felt_dark});
+  const std::size_t first = list.vertices.size();
+  fill_disc(list, poster.sun, poster.r * 6.2f,
+            Paint(poster.sun - Point{0, poster.r * 6}, palette::brass_lit,
+                  poster.sun + Point{0, poster.r * 6}, dusk));
+  for (int range = 0; range < 3; ++range) {
+    const float near = static_cast<float>(range) / 2;
+    const Color color = mix(mix(colours.felt_lit, palette::sun, 0.2f), colours.felt_dark, near);
+    const Rect hills{0, rail_.y - poster.r * 5, all.w, poster.r * 5};
+    fill_under(list, ridge(sky, rail_.y, poster.r * 14, range), rail_.y,
+               Paint::vertical(hills, color, mix(color, colours.felt_lit, 0.5f)));
+  }
+  clip(list, first, sky);
 
-  Rect wood = all;
-  wood = wood.cut_bottom(canvas.px(rail));
-  const Rect shade{wood.x, wood.y - canvas.px(12), wood.w, canvas.px(12)};
-  fill_rounded(list, shade, 0, Paint::vertical(shade, {0, 0, 0, 0}, {0, 0, 0, 120}));
-  fill_rounded(list, wood, 0, Paint::vertical(wood, palette::walnut_lit, palette::walnut_dark));
-  line(list, {wood.x, wood.y}, {wood.right(), wood.y}, canvas.px(3), palette::brass);
+  if (rail_.bottom() < all.h) {
+    const Rect felt{0, rail_.bottom(), all.w, all.h - rail_.bottom()};
+    fill_lamplit(list, felt,
+                 {{felt.center().x, felt.y},
+                  all.w,
+                  std::max(felt.h, 1.0f),
+                  colours.felt,
+                  colours.felt_dark});
+    const Rect shade{0, felt.y, all.w, canvas.px(12)};
+    fill_rounded(list, shade, 0, Paint::vertical(shade, {0, 0, 0, 120}, {0, 0, 0, 0}));
+  }
+  fill_rounded(list, rail_, 0, Paint::vertical(rail_, palette::walnut_lit, palette::walnut_dark));
+  line(list, {rail_.x, rail_.y}, {rail_.right(), rail_.y}, canvas.px(3), palette::brass);
   for (int i = 1; i < 8; ++i) {
-    const Point c{wood.w * static_cast<float>(i) / 8, wood.center().y};
+    const Point c{rail_.w * static_cast<float>(i) / 8, rail_.center().y};
     const float r = canvas.px(7);
     const std::array sight{Point{c.x, c.y - r}, Point{c.x + r, c.y}, Point{c.x, c.y + r},
                            Point{c.x - r, c.y}};
@@ -339,34 +391,38 @@ void TitleScreen::draw_background(Canvas& canvas) const {
   }
 }
 
+/// The rack of one game piled up like a tower of the other, and who flies at it.
 void TitleScreen::draw_art(Canvas& canvas) const {
   DrawList& list = canvas.list;
-  // In radii of a red ball: 17 high; 13.4 to the right of the apex, and 9.4 of cue ball and speed
-  // to its left.
-  const float r = std::min(art_.w / 22.8f, art_.h / 17.0f);
-  const Point apex = art_.center() + Point{-r * 2.0f, 0};
-  const auto red = [&](int row, int n) {
-    return apex + Point{static_cast<float>(row) * row_distance * r * 1.02f,
-                        (static_cast<float>(2 * n - row)) * r * 1.02f};
-  };
-  for (int row = 0; row < rows; ++row)
-    for (int n = 0; n <= row; ++n) draw_ball_shadow(list, red(row, n), r);
-  for (int row = 0; row < rows; ++row)
-    for (int n = 0; n <= row; ++n) draw_ball(list, red(row, n), r, BallKind::red);
+  const Poster poster(art_);
+  const float r = poster.r;
+  glow(list, {poster.apex.x, art_.bottom() + canvas.px(2)}, r * 10, canvas.px(10), {0, 0, 0, 170});
+  for (int row = rows - 1; row >= 0; --row) {
+    for (int n = 0; n <= row; ++n) {
+      const Point c = poster.apex + Point{static_cast<float>(2 * n - row) * r,
+                                          static_cast<float>(row) * row_distance * r};
+      const bool villain = row < 2;
+      if (villain) draw_horns(list, c, r);
+      fill_disc(list, c, r * 1.04f, faded(palette::ink, 0.6f));
+      draw_ball(list, c, r, BallKind::red);
+      if (villain) draw_villain_face(list, c, r);
+    }
+  }
 
-  const Point cue = apex + Point{-r * 4.0f, r * 2.9f};
-  const float cue_radius = r * 3.1f;
+  const Point c = poster.cue;
+  const float radius = r * 3.1f;
+  const Point way = unit({1, 0.16f});
   for (int i = -2; i <= 2; ++i) {  // how fast it comes
     const auto off = static_cast<float>(i);
-    const Point tail =
-        cue + Point{-cue_radius * (1.75f - 0.12f * off * off), off * cue_radius * 0.36f};
-    const Point head = cue + Point{-cue_radius * 0.6f, off * cue_radius * 0.36f};
-    fill(list, capsule(tail, head, cue_radius * 0.09f),
-         Paint(tail, faded(palette::cream, 0), head, faded(palette::cream, 0.5f)));
+    const Point beside = c + turned(way) * (off * radius * 0.38f);
+    const Point tail = beside - way * (radius * (2.3f - 0.28f * off * off));
+    const Point head = beside - way * (radius * 0.6f);
+    fill(list, capsule(tail, head, radius * 0.09f),
+         Paint(tail, faded(palette::cream, 0), head, faded(palette::cream, 0.6f)));
   }
-  draw_ball_shadow(list, cue, cue_radius);
-  draw_ball(list, cue, cue_radius, BallKind::ivory);
-  draw_angry_face(list, cue, cue_radius);
+  fill_disc(list, c, radius * 1.03f, faded(palette::ink, 0.55f));
+  draw_ball(list, c, radius, BallKind::ivory);
+  draw_angry_face(list, c, radius);
 }
 
 std::string TitleScreen::describe() const {

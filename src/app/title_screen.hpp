@@ -60,7 +60,8 @@ class TitleScreen final : public Screen {
   View view_;
   std::optional<Question> question_;
   Buttons buttons_;
-  Rect art_;
+  Rect art_;   ///< what the poster shows, standing on the rail
+  Rect rail_;  ///< of wood, as wide as the window
   Rect wordmark_;
   Rect tagline_;
 };
