@@ -1,5 +1,6 @@
 #include "app/landscape.hpp"
 
+#include <array>
 #include <vector>
 
 #include "app/noise.hpp"
@@ -8,6 +9,8 @@
 
 namespace app {
 namespace {
+
+constexpr float least_detailed = 160;  ///< px of the unit: in a smaller picture details are specks
 
 void draw_sky(DrawList& list, Rect area, float horizon, float unit) {
   const float low = std::clamp(horizon - area.y, 0.0f, area.h);
@@ -23,7 +26,9 @@ void draw_sky(DrawList& list, Rect area, float horizon, float unit) {
   if (glowing.h > 0) band(glowing, palette::sky_middle, palette::sky_low);
   const Point sun{area.x + area.w * 0.32f, horizon - unit * 0.33f};
   glow(list, sun, unit * 0.85f, unit * 0.6f, faded(palette::sun, 0.4f));
-  fill_disc(list, sun, unit * 0.075f, faded(palette::sun, 0.95f));
+  const float r = unit * 0.08f;
+  fill_disc(list, sun, r,
+            Paint(sun - Point{0, r}, palette::sun, sun + Point{0, r}, palette::sun_low));
 }
 
 /// Long thin clouds, lit from below.
@@ -41,12 +46,38 @@ void draw_clouds(DrawList& list, const Rect& area, float horizon, float unit) {
   }
 }
 
+/// Woods of pointed trees along a skyline.
+void draw_firs(DrawList& list, const Outline& line, float unit) {
+  const Color color = mix(palette::hills[2], palette::hills[1], 0.25f);
+  float next = line.front().x;
+  std::uint32_t tree = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    for (; next < line[i + 1].x; next += unit * (0.006f + 0.022f * noise(11, tree)), ++tree) {
+      // Some woods, and clearings between them.
+      const float wood = noise(9, tree / 20);
+      if (wood < 0.5f) continue;
+      const Point foot =
+          line[i] + (line[i + 1] - line[i]) * ((next - line[i].x) / (line[i + 1].x - line[i].x));
+      const float height = unit * (0.018f + 0.042f * noise(10, tree) * wood);
+      fill(list,
+           std::array{foot + Point{-height * 0.24f, unit * 0.01f}, foot - Point{0, height},
+                      foot + Point{height * 0.24f, unit * 0.01f}},
+           color);
+    }
+  }
+}
+
+/// The nearer, the darker; mist lies in the valleys between them, and firs stand on the nearest.
 void draw_hills(DrawList& list, const Rect& area, float horizon, float unit) {
   for (int range = 0; range < 3; ++range) {
     const Color color = palette::hills[range];
-    const Rect body{area.x, horizon - unit * 0.3f, area.w, unit * 0.3f};
-    fill_under(list, ridge(area, horizon, unit, range), horizon,
-               Paint::vertical(body, color, mix(color, palette::sky_low, 0.3f)));
+    const auto depth = static_cast<float>(range);
+    const Outline line = ridge(area, horizon, unit, range);
+    const Rect body{area.x, horizon - unit * (0.26f - 0.08f * depth), area.w,
+                    unit * (0.26f - 0.08f * depth)};
+    if (range == 2 && unit > least_detailed) draw_firs(list, line, unit);
+    fill_under(list, line, horizon,
+               Paint::vertical(body, color, mix(color, palette::sky_low, 0.6f - 0.22f * depth)));
   }
 }
 
@@ -54,7 +85,10 @@ void draw_ground(DrawList& list, const Rect& area, float horizon, float unit) {
   const float depth = std::max(area.bottom() - horizon, 0.0f);
   const Rect soil{area.x, horizon, area.w, depth};
   fill_rounded(list, soil, 0, Paint::vertical(soil, palette::soil, palette::soil_dark));
-  const auto pebbles = static_cast<std::uint32_t>(std::clamp(area.w / unit * 40, 0.0f, 400.0f));
+  const auto pebbles =
+      unit < least_detailed
+          ? 0
+          : static_cast<std::uint32_t>(std::clamp(area.w / unit * 40, 0.0f, 400.0f));
   for (std::uint32_t i = 0; i < pebbles; ++i) {
     const float down = unit * 0.03f + (depth - unit * 0.04f) * noise(5, i);
     if (down > depth - unit * 0.008f) continue;
@@ -107,6 +141,24 @@ void draw_landscape(DrawList& list, const Rect& area, float horizon, float unit)
   draw_clouds(list, area, horizon, unit);
   draw_hills(list, area, horizon, unit);
   draw_ground(list, area, horizon, unit);
+  clip(list, first, area);
+}
+
+void draw_night(DrawList& list, const Rect& area, float horizon) {
+  const float unit = std::max(std::min(area.w, area.h), 1.0f);
+  fill_lamplit(list, area,
+               {{area.x + area.w * 0.68f, horizon},
+                std::max(area.w * 0.8f, 1.0f),
+                unit * 1.1f,
+                mix(palette::sky_middle, palette::slate_bottom, 0.52f),
+                palette::slate_bottom});
+  const std::size_t first = list.vertices.size();
+  for (int range = 0; range < 3; ++range) {
+    const Color color = mix(palette::hills[range], palette::slate_bottom, 0.74f);
+    const Rect body{area.x, horizon - unit * 0.25f, area.w, unit * 0.25f};
+    fill_under(list, ridge(area, horizon, unit, range), std::max(horizon, area.bottom()),
+               Paint::vertical(body, color, mix(color, palette::slate_bottom, 0.6f)));
+  }
   clip(list, first, area);
 }
 

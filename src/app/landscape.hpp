@@ -11,4 +11,7 @@ Outline ridge(const Rect& area, float horizon, float unit, int range);
 /// that the hills are measured by, px.
 void draw_landscape(DrawList& list, const Rect& area, float horizon, float unit);
 
+/// The same land by night, dim, behind a menu whose foot begins at `horizon`.
+void draw_night(DrawList& list, const Rect& area, float horizon);
+
 }  // namespace app

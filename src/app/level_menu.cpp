@@ -166,8 +166,7 @@ std::string LevelMenu::notice() const {
 
 void LevelMenu::draw(Canvas& canvas) const {
   const Rect all = canvas.view.area();
-  draw_landscape(canvas.list, all, foot_.y - canvas.px(16), all.h);
-  fill_rounded(canvas.list, all, 0, faded(palette::slate_bottom, 0.62f));
+  draw_night(canvas.list, all, foot_.y - canvas.px(4));
   Rect strip = all;
   strip = strip.cut_bottom(all.bottom() - foot_.y + canvas.px(4));
   fill_rounded(canvas.list, strip, 0,

@@ -89,7 +89,11 @@ void draw_launch_post(DrawList& list, const Viewport& viewport, const carom::Bal
 void draw_side(DrawList& list, const Rect& beyond, Point from, Point to, bool open) {
   if (beyond.w <= 0 || beyond.h <= 0) return;
   if (open) {
-    fill_rounded(list, beyond, 0, faded(palette::slate_bottom, 0.55f));
+    // Darker away from the level.
+    const bool left = beyond.center().x < from.x;
+    const Color near = faded(palette::slate_bottom, 0.3f);
+    const Color far = faded(palette::slate_bottom, 0.8f);
+    fill_rounded(list, beyond, 0, Paint::horizontal(beyond, left ? far : near, left ? near : far));
     dashed_line(list, from, to, 1.5f, 6, faded(palette::cream, 0.35f));
   } else {
     fill_rounded(list, beyond, 0, mix(palette::stone_shade, palette::stone, 0.2f));

@@ -1,6 +1,7 @@
 #include "app/load_screen.hpp"
 
 #include "app/label.hpp"
+#include "app/landscape.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 
@@ -70,9 +71,7 @@ Transition LoadScreen::finish() {
 }
 
 void LoadScreen::draw(Canvas& canvas) const {
-  const Rect all = canvas.view.area();
-  fill_rounded(canvas.list, all, 0,
-               Paint::vertical(all, palette::slate_top, palette::slate_bottom));
+  draw_night(canvas.list, canvas.view.area(), canvas.view.height);
   Rect rest = panel_.inset(canvas.px(16));
   label(canvas, rest.cut_top(canvas.px(56)), {Face::black, 28, palette::cream, Align::center},
         words_(Text::loading));

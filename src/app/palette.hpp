@@ -73,6 +73,7 @@ inline constexpr Color sky_top = rgb(0x123a4e);
 inline constexpr Color sky_middle = rgb(0x4f8d97);
 inline constexpr Color sky_low = rgb(0xf2d7a2);
 inline constexpr Color sun = rgb(0xfff1c9);
+inline constexpr Color sun_low = rgb(0xf3bd74);
 inline constexpr Color hills[3] = {rgb(0x7ba39b), rgb(0x4d807c), rgb(0x2d5f5e)};  ///< far to near
 inline constexpr Color grass = rgb(0x5f9a4c);
 inline constexpr Color grass_dark = rgb(0x2f5f33);

@@ -1,6 +1,7 @@
 #include "app/replay_list.hpp"
 
 #include "app/label.hpp"
+#include "app/landscape.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 
@@ -146,8 +147,7 @@ std::string ReplayList::describe(const Entry& entry) const {
 
 void ReplayList::draw(Canvas& canvas) const {
   const Rect all = canvas.view.area();
-  fill_rounded(canvas.list, all, 0,
-               Paint::vertical(all, canvas.list.palette->felt_dark, palette::slate_bottom));
+  draw_night(canvas.list, all, foot_.y - canvas.px(4));
   Rect strip = all;
   strip = strip.cut_bottom(all.bottom() - foot_.y + canvas.px(4));
   fill_rounded(canvas.list, strip, 0,

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/label.hpp"
+#include "app/landscape.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 
@@ -366,9 +367,7 @@ std::string SettingsScreen::hint() const {
 }
 
 void SettingsScreen::draw(Canvas& canvas) const {
-  const Rect all = canvas.view.area();
-  fill_rounded(canvas.list, all, 0,
-               Paint::vertical(all, palette::slate_top, palette::slate_bottom));
+  draw_night(canvas.list, canvas.view.area(), canvas.view.height);
   label(canvas, title_, {Face::black, 32, palette::cream}, words_(Text::settings));
   draw_close(canvas);
   for (std::size_t page = 0; page < pages; ++page) draw_page_button(canvas, page);

@@ -218,7 +218,8 @@ namespace {
 
 void glow_in_triangles(DrawList& list, Point center, float across, float down, Color color) {
   constexpr int rings = 6;
-  const std::int32_t n = segments(std::max(across, down));
+  // Its edge cannot be seen: half the corners of a disc do.
+  const std::int32_t n = std::max(segments(std::max(across, down)) / 2, 12);
   const std::int32_t middle = list.add(center, color);
   for (int ring = 1; ring <= rings; ++ring) {
     const float t = static_cast<float>(ring) / rings;
