@@ -1,5 +1,7 @@
 #include "app/dialog.hpp"
 
+#include <algorithm>
+
 #include "app/label.hpp"
 #include "app/markers.hpp"
 #include "app/palette.hpp"
@@ -15,6 +17,17 @@ constexpr float line_height = 40;
 constexpr float least_line_height = 26;
 constexpr float button_height = 48;
 constexpr float gap = 16;
+constexpr float letter_width = 10;  ///< on average, of a line's and a button's text
+constexpr std::size_t most_rows = 4;
+
+/// How many rows to reserve for a text.
+std::size_t rows_of(const Dialog::Line& line, float width) {
+  if (line.columns || !line.score.empty()) return 1;
+  const float lines = letter_width * static_cast<float>(line.text.size()) / std::max(width, 1.0f);
+  if (lines <= 1.15f) return 1;  // if need be it is written a little smaller
+  // Lines of a paragraph are closer than rows.
+  return std::clamp(static_cast<std::size_t>(lines * 0.65f + 0.5f), std::size_t{2}, most_rows);
+}
 
 }  // namespace
 
@@ -22,19 +35,27 @@ Dialog::Dialog(std::string title, std::vector<Line> lines, std::vector<std::stri
     : title_(std::move(title)), lines_(std::move(lines)), buttons_(std::move(buttons), 0) {}
 
 void Dialog::resize(const View& view) {
-  const std::size_t columns = buttons_.size() > 3 ? 2 : buttons_.size();
+  const float panel_width =
+      std::min(view.px(buttons_.size() > 2 ? 560 : 480), view.width - view.px(16));
+  const float inner = (panel_width - view.px(2 * padding)) / view.scale;  // units
+  std::size_t columns = buttons_.size() > 3 ? 2 : buttons_.size();
+  // On a phone held upright long words stand below each other.
+  for (std::size_t i = 0; i < buttons_.size() && view.height > view.width; ++i) {
+    const float needed = letter_width * static_cast<float>(buttons_.label_of(i).size()) + 2 * gap;
+    if (needed * static_cast<float>(columns) > inner) columns = 1;
+  }
   const std::size_t rows = (buttons_.size() + columns - 1) / columns;
   buttons_.set_columns(columns);
   const float space = view.px(gap);
   const float buttons_height = static_cast<float>(rows) * (view.px(button_height) + space) - space;
   const float rest = view.px(2 * padding + title_height + 2 * gap) + buttons_height;
-  const auto lines = static_cast<float>(lines_.size());
+  std::size_t text_rows = 0;
+  for (const Line& line : lines_) text_rows += rows_of(line, inner);
+  const auto lines = static_cast<float>(text_rows);
   // In a low window the lines move together.
   line_height_ = std::clamp((view.height - view.px(8) - rest) / std::max(lines, 1.0f),
                             view.px(least_line_height), view.px(line_height));
-  panel_ = centered(view.area().center(),
-                    std::min(view.px(buttons_.size() > 2 ? 560 : 480), view.width - view.px(16)),
-                    rest + lines * line_height_);
+  panel_ = centered(view.area().center(), panel_width, rest + lines * line_height_);
   Rect area = panel_.inset(view.px(padding));
   area = area.cut_bottom(buttons_height);
   const float width =
@@ -72,7 +93,12 @@ void Dialog::draw(Canvas& canvas) const {
                  {Face::black, 32, palette::cream, Align::center}, title_);
   rest.cut_top(canvas.px(gap / 2));
   for (const Line& line : lines_) {
-    const Rect row = rest.cut_top(line_height_);
+    const std::size_t rows = rows_of(line, rest.w / canvas.view.scale);
+    const Rect row = rest.cut_top(line_height_ * static_cast<float>(rows));
+    if (rows > 1) {
+      paragraph(canvas, row, {Face::regular, 18, palette::cream, Align::center}, line.text);
+      continue;
+    }
     if (line.columns) {
       draw_row(canvas, row, line);
       continue;

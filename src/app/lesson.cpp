@@ -13,6 +13,7 @@ namespace app {
 namespace {
 
 constexpr float panel_width = 560;  ///< units
+constexpr float least_width = 432;
 constexpr float panel_height = 168;
 
 /// The hand that does it: a finger's tip, seen as a ring.
@@ -62,10 +63,19 @@ void draw_lesson(Canvas& canvas, const Call& call, const Words& words) {
   const bool low = call.at.y < world.center().y - 1;
   Rect panel{window.center().x - width / 2,
              low ? world.bottom() - height - canvas.px(8) : world.y + canvas.px(8), width, height};
-  // In a low window rather over the bar than over the ball.
+  // In a low window beside the ball, where there is more room.
   const float reach = call.radius + canvas.px(20);
-  if (panel.overlaps(centered(call.at, 2 * reach, 2 * reach)))
-    panel.y = std::max(call.at.y - reach - height, canvas.px(4));
+  if (panel.overlaps(centered(call.at, 2 * reach, 2 * reach))) {
+    const bool right = call.at.x < world.center().x;
+    const float edge = right ? call.at.x + reach : canvas.px(8);
+    const float room = right ? window.w - canvas.px(8) - edge : call.at.x - reach - edge;
+    if (room < canvas.px(least_width)) {  // nor is there any: rather over the bar
+      panel.y = std::max(call.at.y - reach - height, canvas.px(4));
+    } else {
+      panel = {edge, std::max(world.center().y - height / 2, world.y + canvas.px(4)),
+               std::min(width, room), height};
+    }
+  }
   fill_rounded(canvas.list, panel.moved({0, canvas.px(4)}), canvas.px(12), palette::shadow,
                canvas.px(12));
   fill_rounded(canvas.list, panel, canvas.px(12), faded(palette::slate_bottom, 0.94f));

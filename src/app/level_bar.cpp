@@ -20,10 +20,11 @@ void LevelBar::resize(const View& view, const Rect& area) {
   explain({words_(Text::tip_restart), words_(Text::tip_close), words_(Text::tip_settings)});
   auto [row, rest] = place(view, area);
   if (view.narrow()) {
-    counts_[0] = row.cut_right(row.w * 0.3f);
-    name_ = row;
-    for (std::size_t i = 1; i < 4; ++i)
-      counts_[i] = rest.cut_left(rest.w / static_cast<float>(4 - i));
+    name_ = row.cut_left(row.w * 0.54f);
+    for (std::size_t i = 0; i < 4; ++i) {
+      Rect& strip = i < 2 ? row : rest;
+      counts_[i] = strip.cut_left(strip.w / static_cast<float>(2 - i % 2));
+    }
   } else {
     name_ = row.cut_left(std::min(row.w * 0.36f, view.px(320)));
     for (std::size_t i = 0; i < 4; ++i)

@@ -19,6 +19,7 @@ constexpr float words_height = 58;      ///< of a card, below the picture
 constexpr float picture_ratio = 0.56f;  ///< a picture's height by its width
 constexpr float button_width = 104;
 constexpr float practice_width = 148;
+constexpr float phone_width = 560;
 
 constexpr std::size_t most_drawn = 300;  ///< balls, walls and holes of a card's picture, each
 
@@ -29,6 +30,9 @@ LevelMenu::LevelMenu(const Words& words, Campaign& campaign) : words_(words), ca
 void LevelMenu::resize(const View& view) {
   view_ = view;
   Rect rest = view.area().inset(view.px(margin), view.px(4));
+  // Where both do not fit beside each other, the heading stands over its buttons.
+  const bool alone = view.width < view.px(phone_width);
+  heading_ = alone ? rest.cut_top(view.px(44)) : Rect();
   head_ = rest.cut_top(view.px(52));
   rest.cut_top(view.px(4));
   foot_ = rest.cut_bottom(view.px(view.narrow() ? 84 : 48));
@@ -174,7 +178,8 @@ void LevelMenu::draw(Canvas& canvas) const {
 
   Rect head = head_;
   head.cut_right(canvas.px(practice_width + button_width + 2 * gap));
-  label(canvas, head, {Face::black, 32, palette::cream}, words_(Text::choose_level));
+  label(canvas, heading_.w > 0 ? heading_ : head, {Face::black, 32, palette::cream},
+        words_(Text::choose_level));
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     if (i < cards())
       draw_card(canvas, i);

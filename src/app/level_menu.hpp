@@ -40,6 +40,7 @@ class LevelMenu final : public Screen {
   std::size_t page_ = 0;
   std::optional<std::size_t> told_;  ///< the broken level that was clicked last
   View view_;
+  Rect heading_;  ///< empty where it stands in head_
   Rect head_;
   Rect grid_;
   Rect foot_;

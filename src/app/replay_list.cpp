@@ -11,6 +11,7 @@ namespace {
 // Units.
 constexpr float margin = 16;
 constexpr float row_height = 44;
+constexpr float high_row = 60;  ///< with two lines, in a narrow window
 constexpr float row_gap = 8;
 constexpr float button_width = 104;
 constexpr float most_width = 900;
@@ -37,7 +38,7 @@ void ReplayList::resize(const View& view) {
   foot_ = rest.cut_bottom(view.px(view.narrow() ? 92 : 52));
   rest.cut_bottom(view.px(8));
   rows_ = rest;
-  const float pitch = view.px(row_height + row_gap);
+  const float pitch = view.px((view.narrow() ? high_row : row_height) + row_gap);
   per_page_ = static_cast<std::size_t>(std::max((rows_.h + view.px(row_gap)) / pitch, 1.0f));
   show_page(std::min(first / per_page_, pages() - 1));
 }
@@ -71,7 +72,7 @@ void ReplayList::show_page(std::size_t page) {
 
   Rect rows = rows_;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    buttons_.place(i, rows.cut_top(view_.px(row_height)));
+    buttons_.place(i, rows.cut_top(view_.px(view_.narrow() ? high_row : row_height)));
     rows.cut_top(view_.px(row_gap));
   }
   Rect head = head_.inset(0, view_.px(4));
@@ -191,8 +192,10 @@ void ReplayList::draw_entry(Canvas& canvas, std::size_t index) const {
   Rect rest = buttons_.box(index).inset(canvas.px(14), 0);
   const Color dim = rgb(0x9aa6ab);
   const TextStyle name{Face::bold, 18, entry.replay ? palette::brass_lit : dim};
-  const Rect left = rest.cut_left(std::round(rest.w * 0.32f));
-  rest.cut_left(canvas.px(8));
+  const bool narrow = canvas.view.narrow();
+  if (narrow) rest = rest.inset(0, canvas.px(6));
+  const Rect left = narrow ? rest.cut_top(rest.h / 2) : rest.cut_left(std::round(rest.w * 0.32f));
+  if (!narrow) rest.cut_left(canvas.px(8));
   const TextStyle what{Face::regular, 17, entry.replay ? palette::cream : dim};
   label(canvas, left, name, elided(canvas, name, entry.name, left.w));
   label(canvas, rest, what, elided(canvas, what, describe(entry), rest.w));

@@ -54,7 +54,8 @@ class TablePainter {
   /// The floor, where the lamp still reaches it, and the table's shadow.
   void room(const Rect& window) {
     const Rect outer = around(table_margin);
-    Lamp lamp{outer.center(), std::max(outer.w * 0.8f, 1.0f), std::max(outer.h * 0.95f, 1.0f),
+    Lamp lamp{outer.center(), std::max({outer.w * 0.8f, window.h * 0.6f, 1.0f}),
+              std::max({outer.h * 0.95f, window.h * 0.6f, 1.0f}),
               mix(palette::panel_lit, list_.palette->felt_dark, 0.4f), palette::slate_bottom};
     // Nothing is painted where the table stands, but for its round corners.
     Rect rest = window;

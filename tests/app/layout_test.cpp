@@ -506,6 +506,10 @@ TEST_P(Layout, ListOfReplays) {
   ASSERT_TRUE(game.store().save("replays/v.json", R"({"angry-balls-replay": 2})"));
   game.press(french ? "Revoir" : "Replays");
   check();
+  for (int page = 0; page < 10 && !game.shows("u\n"); ++page) {
+    game.press("›");
+    check();
+  }
   game.press("u\n");
   check();
   game.press("›");

@@ -136,8 +136,8 @@ TEST(Palette, IsWhatIsDrawn) {
     const auto& vertices = game.app().draw().vertices;
     return std::ranges::any_of(vertices, [&](const app::Vertex& v) { return v.color == color; });
   };
-  const Color felt = Palette::of(Colours::standard).felt;
-  const Color dark = Palette::of(Colours::high_contrast).felt;
+  const Color felt = Palette::of(Colours::standard).felt_dark;
+  const Color dark = Palette::of(Colours::high_contrast).felt_dark;
   EXPECT_TRUE(drawn_with(standard, felt));
   EXPECT_FALSE(drawn_with(standard, dark));
   EXPECT_TRUE(drawn_with(chosen, dark));
