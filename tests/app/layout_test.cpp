@@ -506,7 +506,7 @@ TEST_P(Layout, ListOfReplays) {
   ASSERT_TRUE(game.store().save("replays/v.json", R"({"angry-balls-replay": 2})"));
   game.press(french ? "Revoir" : "Replays");
   check();
-  for (int page = 0; page < 10 && !game.shows("u\n"); ++page) {
+  for (int page = 0; page < 20 && !game.shows("u\n"); ++page) {
     game.press("›");
     check();
   }
