@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -121,6 +122,72 @@ TEST(Palette, TextInItCanBeRead) {
     }
     EXPECT_GT(contrast(p.allowed, app::palette::slate_bottom), 4.5);
     EXPECT_GT(contrast(p.refused, app::palette::slate_bottom), 4.5);
+  }
+}
+
+/// Between the lightest and the darkest pixel there.
+double contrast_within(const app::Image& picture, const app::Rect& area) {
+  std::array<double, 256> light{};
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] = linear(static_cast<std::uint8_t>(i));
+  double darkest = 1;
+  double lightest = 0;
+  for (int y = static_cast<int>(area.y); y < static_cast<int>(area.bottom()); ++y) {
+    for (int x = static_cast<int>(area.x); x < static_cast<int>(area.right()); ++x) {
+      const Color pixel = picture.at(x, y);
+      const double one = luminance({light[pixel.r], light[pixel.g], light[pixel.b]});
+      darkest = std::min(darkest, one);
+      lightest = std::max(lightest, one);
+    }
+  }
+  return (lightest + 0.05) / (darkest + 0.05);
+}
+
+// WCAG's level AA, measured in the picture: on skies and felts, too.
+TEST(Palette, EveryTextStandsOutFromWhatIsBeneath) {
+  using app::Key;
+  using namespace std::chrono_literals;
+  for (const Colours colours : everything) {
+    app::MemoryStore store;
+    platform::NullPlatform game(app::Language::english, 800, 600, {}, store);
+    app::Settings settings = game.app().settings().get();
+    settings.colours = colours;
+    game.app().settings().set(settings);
+    const auto check = [&](const char* screen) {
+      const app::Image picture = game.picture();
+      int texts = 0;
+      const app::DrawList& list = game.app().draw();
+      for (std::size_t i = list.covered; i < list.boxes.size(); ++i) {
+        const app::Box& box = list.boxes[i];
+        if (box.kind != app::Box::Kind::text) continue;
+        ++texts;
+        EXPECT_GE(contrast_within(picture, box.area), 4.5)
+            << box.text << " on " << screen << " in palette " << static_cast<int>(colours);
+      }
+      EXPECT_GT(texts, 3) << screen;
+    };
+    const auto press = [&](Key key, int times = 1) {
+      for (int i = 0; i < times; ++i) game.app().event(app::KeyPressed{key});
+    };
+    check("the title");
+    press(Key::settings);
+    check("the settings");
+    press(Key::escape);
+    press(Key::help);
+    check("help");
+    press(Key::escape);
+    press(Key::enter);
+    game.pass(3s);
+    press(Key::up);
+    check("the table");
+    press(Key::escape, 2);
+    press(Key::tab, 3);
+    press(Key::enter);
+    check("the levels");
+    press(Key::tab);
+    press(Key::enter);
+    game.pass(3s);
+    press(Key::up);
+    check("a level");
   }
 }
 

@@ -9,8 +9,13 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
+#include "app/billiards_screen.hpp"
 #include "platform/null_platform.hpp"
+#include "platform/png.hpp"
+#include "replay/player.hpp"
+#include "replay/replay_file.hpp"
 
 namespace {
 
@@ -53,6 +58,7 @@ class Visitor {
         size_(size),
         french_(french),
         figures_(figures) {
+    std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
 
@@ -60,6 +66,7 @@ class Visitor {
     titles();
     billiards();
     end_of_billiards();
+    ways_of_aiming();
     practice();
     levels();
     replays();
@@ -128,15 +135,16 @@ class Visitor {
     return french_ ? french : english;
   }
 
-  void take(Game& game, const std::string& name) {
+  void take(Game& game, const std::string& name) { save(name, game.app().draw(), game.picture()); }
+
+  void save(const std::string& name, const app::DrawList& list, const app::Image& picture) {
     char number[16];
     std::snprintf(number, sizeof number, "%02d-", ++taken_);
     const std::filesystem::path path = folder_ / (number + name + ".png");
-    if (const carom::Status written = game.screenshot(path); !written) {
+    if (const carom::Status written = platform::write_png(path, picture); !written) {
       std::fprintf(stderr, "cannot write %s\n", path.c_str());
       std::exit(1);
     }
-    const app::DrawList& list = game.app().draw();
     char line[160];
     std::snprintf(line, sizeof line, "%dx%d %s %-28s %6zu vertices %5.2f layers\n", size_.width,
                   size_.height, french_ ? "fr" : "en", name.c_str(), list.vertices.size(),
@@ -217,7 +225,7 @@ class Visitor {
     take(game, "billiards-after-two-shots");
   }
 
-  /// A game whose next turn pockets the cue ball, and the last turn of a whole one.
+  /// A whole game as a replay, and what its end tells.
   void end_of_billiards() {
     app::MemoryStore store;
     Game game(*this, store);
@@ -233,6 +241,46 @@ class Visitor {
     for (int i = 0; i < 200; ++i) game.key(Key::right);
     game.pass(20s);
     take(game, "replay-end");
+
+    const replay::Replay whole =
+        replay::read_replay(read("tests/replays/billiards-whole.json")).value();
+    auto player = replay::Player::create(whole).value();
+    std::uint64_t steps = 0;
+    for (const replay::Move& move : whole.moves) steps += move.steps;
+    while (player.steps() + 1 < steps) (void)player.step();
+    app::Session session(store, game.clipboard(), {});
+    app::BilliardsScreen screen(
+        app::Words(french_ ? app::Language::french : app::Language::english), session,
+        app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
+    const app::View view = app::View::of(size_.width, size_.height);
+    screen.resize(view);
+    for (int i = 0; i < 500; ++i) screen.iterate(20ms);
+    app::Atlas atlas;
+    app::Font font{atlas};
+    app::DrawList list;
+    app::Canvas canvas{list, font, view};
+    screen.draw(canvas);
+    app::Image picture(size_.width, size_.height, {0, 0, 0, 255});
+    app::rasterize(list, atlas, picture);
+    save("billiards-over", list, picture);
+  }
+
+  void ways_of_aiming() {
+    for (const auto& [way, name] : {std::pair{app::AimWay::clicks, "aim-clicks"},
+                                    {app::AimWay::turn, "aim-turn-then-power"}}) {
+      app::MemoryStore store;
+      Game game(*this, store);
+      app::Settings settings = game.app().settings().get();
+      settings.aiming.way = way;
+      game.app().settings().set(settings);
+      game.press(say("Billiards", "Billard"));
+      game.pass(3s);
+      const auto call = game.app().screen().call();
+      if (!call) continue;
+      if (way == app::AimWay::clicks) game.click(call->at);
+      game.app().event(app::PointerMoved{call->at + app::Point{6, -2} * call->radius});
+      take(game, name);
+    }
   }
 
   void practice() {
