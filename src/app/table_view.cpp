@@ -82,6 +82,25 @@ class TablePainter {
     constexpr std::int32_t corner_points = 5;
     constexpr std::int32_t n = 4 * (side_points + corner_points);
     const float radius = px(wood_radius);
+    // Clockwise, the top side first, each followed by the corner at its end.
+    struct Place {
+      std::size_t from, to;  ///< corners
+      float along;           ///< from the one to the other
+      Point outwards;
+    };
+    std::array<Place, n> places;
+    for (std::int32_t i = 0; i < n; ++i) {
+      const std::int32_t side = i / (side_points + corner_points);
+      const std::int32_t k = i % (side_points + corner_points);
+      const float bend = static_cast<float>(std::max(k - side_points, 0)) / corner_points;
+      const float angle = std::numbers::pi_v<float> / 2 * (static_cast<float>(side) - 1 + bend);
+      const auto to = static_cast<std::size_t>(side);
+      places[static_cast<std::size_t>(i)] = {
+          (to + 3) % 4,
+          to,
+          static_cast<float>(std::min(k, side_points)) / side_points,
+          {std::cos(angle), std::sin(angle)}};
+    }
     const Point light{-0.5f, -0.85f};
     for (std::int32_t ring = 0; ring <= rings; ++ring) {
       const float depth = static_cast<float>(ring) / rings;
@@ -90,24 +109,15 @@ class TablePainter {
       const std::array centers{Point{edge.right() - r, edge.y + r},
                                Point{edge.right() - r, edge.bottom() - r},
                                Point{edge.x + r, edge.bottom() - r}, Point{edge.x + r, edge.y + r}};
+      // Round across: the outer half faces outwards, the inner half the bed.
+      const float slope = 1 - 2 * depth;
+      const auto row = static_cast<std::uint32_t>(ring);
+      const float streak = noise(20, row) - 0.5f;
       for (std::int32_t i = 0; i < n; ++i) {
-        // Clockwise, the top side first, each followed by the corner at its end.
-        const std::int32_t side = i / (side_points + corner_points);
-        const std::int32_t k = i % (side_points + corner_points);
-        const float quarter = std::numbers::pi_v<float> / 2;
-        const float along = static_cast<float>(std::min(k, side_points)) / side_points;
-        const float bend = static_cast<float>(std::max(k - side_points, 0)) / corner_points;
-        const float angle = quarter * (static_cast<float>(side) - 1 + bend);
-        const Point outwards{std::cos(angle), std::sin(angle)};
-        const Point from = centers[static_cast<std::size_t>((side + 3) % 4)];
-        const Point to = centers[static_cast<std::size_t>(side)];
-        const Point p = from + (to - from) * along + outwards * r;
-
-        // Round across: the outer half faces outwards, the inner half the bed.
-        const float slope = 1 - 2 * depth;
-        const float facing = dot(outwards, light) * slope * slope * slope;
-        const auto row = static_cast<std::uint32_t>(ring);
-        const float streak = noise(20, row) - 0.5f;
+        const Place& place = places[static_cast<std::size_t>(i)];
+        const Point from = centers[place.from];
+        const Point p = from + (centers[place.to] - from) * place.along + place.outwards * r;
+        const float facing = dot(place.outwards, light) * slope * slope * slope;
         const float figure = noise(21 + row, static_cast<std::uint32_t>(i)) - 0.5f;
         const float value = 0.42f + 0.32f * facing + 0.55f * lamp_.strength(p) * (0.4f + depth) +
                             0.22f * streak + 0.17f * figure;
