@@ -1,6 +1,7 @@
 #include "app/dialog.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/label.hpp"
 #include "app/markers.hpp"
@@ -26,7 +27,8 @@ std::size_t rows_of(const Dialog::Line& line, float width) {
   const float lines = letter_width * static_cast<float>(line.text.size()) / std::max(width, 1.0f);
   if (lines <= 1.15f) return 1;  // if need be it is written a little smaller
   // Lines of a paragraph are closer than rows.
-  return std::clamp(static_cast<std::size_t>(lines * 0.65f + 0.5f), std::size_t{2}, most_rows);
+  return std::clamp(static_cast<std::size_t>(std::lround(lines * 0.65f)), std::size_t{2},
+                    most_rows);
 }
 
 }  // namespace

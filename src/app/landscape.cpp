@@ -52,12 +52,14 @@ void draw_firs(DrawList& list, const Outline& line, float unit) {
   float next = line.front().x;
   std::uint32_t tree = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    for (; next < line[i + 1].x; next += unit * (0.006f + 0.022f * noise(11, tree)), ++tree) {
+    while (next < line[i + 1].x) {
+      const float x = next;
+      next += unit * (0.006f + 0.022f * noise(11, ++tree));
       // Some woods, and clearings between them.
       const float wood = noise(9, tree / 20);
       if (wood < 0.5f) continue;
       const Point foot =
-          line[i] + (line[i + 1] - line[i]) * ((next - line[i].x) / (line[i + 1].x - line[i].x));
+          line[i] + (line[i + 1] - line[i]) * ((x - line[i].x) / (line[i + 1].x - line[i].x));
       const float height = unit * (0.018f + 0.042f * noise(10, tree) * wood);
       fill(list,
            std::array{foot + Point{-height * 0.24f, unit * 0.01f}, foot - Point{0, height},
