@@ -71,14 +71,11 @@ void App::event(const Input& input) {
              std::holds_alternative<PadMoved>(input) ||
              std::holds_alternative<PadUnplugged>(input)) {
     for (const Input& meant : pad_.event(input, steers())) give(meant);
-  } else if (help_) {
-    give(input);  // which wants the keys as they are pressed
   } else if (const auto* pressed = std::get_if<KeyPressed>(&input)) {
-    const auto key = session_.keyboard.bindings.meaning(pressed->key);
-    if (key) give(KeyPressed{*key, pressed->shift, pressed->ctrl});
+    if (const auto key = meaning(pressed->key))
+      give(KeyPressed{*key, pressed->shift, pressed->ctrl});
   } else if (const auto* released = std::get_if<KeyReleased>(&input)) {
-    const auto key = session_.keyboard.bindings.meaning(released->key);
-    if (key) give(KeyReleased{*key});
+    if (const auto key = meaning(released->key)) give(KeyReleased{*key});
   } else {
     give(input);
   }

@@ -140,7 +140,9 @@ const Font::Glyph& Font::glyph(Face face, int size, int index, int quarter) {
   std::vector<std::uint8_t> coverage(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
   stbtt_MakeGlyphBitmapSubpixel(&info, coverage.data(), w, h, w, scale, scale, shift, 0, index);
   const auto part = atlas_.add(w, h, [&](int x, int y) {
-    return Color{255, 255, 255, coverage[static_cast<std::size_t>(y * w + x)]};
+    return Color{255, 255, 255,
+                 coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) +
+                          static_cast<std::size_t>(x)]};
   });
   if (part) g = {*part, x0, y0};
   return g;

@@ -22,7 +22,7 @@ class Stamps {
     /// Tells apart what looks different at one radius.
     std::uint32_t look = 0;
 
-    friend auto operator<=>(const Key&, const Key&) = default;
+    friend auto operator<=>(const Key&, const Key&) = default;  // NOLINT(modernize-use-nullptr)
   };
   /// Draws around a centre, at a radius (px).
   using Draw = std::function<void(DrawList&, Point center, float radius)>;

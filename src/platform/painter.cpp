@@ -158,7 +158,7 @@ void Painter::note_touched(const app::DrawList& list) {
     const auto [top, bottom] = std::minmax({corner(0).y, corner(1).y, corner(2).y});
     const int last = tile_of(right, columns_);
     for (int row = tile_of(top, rows); row <= tile_of(bottom, rows); ++row) {
-      const auto start = touched_.begin() + row * columns_;
+      const auto start = touched_.begin() + std::ptrdiff_t{row} * columns_;
       std::fill(start + tile_of(left, columns_), start + last + 1, true);
     }
   }
