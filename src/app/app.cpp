@@ -51,6 +51,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
   if (start.asked) session_.asked_language = start.language;
   words_.speak(language_of(session_));
   words_.name_players(session_.settings.get().names);
+  session_.keyboard.bindings = session_.settings.get().keys;
   go(Transition::title);
 }
 
@@ -102,6 +103,14 @@ void App::mute() {
   toast_.show(words_(settings.mute ? Text::sound_off : Text::sound_on));
 }
 
+/// In the settings, once they were changed.
+void App::keep_keys() {
+  Settings settings = session_.settings.get();
+  if (settings.keys == session_.keyboard.bindings) return;
+  settings.keys = session_.keyboard.bindings;
+  session_.settings.set(std::move(settings));
+}
+
 std::vector<SoundEvent> App::take_sounds() {
   auto sounds = session_.sounds.take();
   if (session_.settings.get().mute) sounds.clear();
@@ -124,6 +133,7 @@ void App::give(const Input& input) {
   if (help_) {
     if (std::holds_alternative<KeyReleased>(input)) go(screen_->event(input));
     if (!help_->event(input)) help_.reset();
+    keep_keys();
     return;
   }
   const auto* typed = std::get_if<TextTyped>(&input);

@@ -80,6 +80,7 @@ class App {
   void resume();
   bool presses_button(const Input& input) const;
   void mute();
+  void keep_keys();
   void play(Level level);
   void refuse(Text title, std::string line);
 

@@ -30,6 +30,10 @@ struct Writer {
   void operator()(const char* key, const std::array<std::string, 2>& value) const {
     out[key] = value;
   }
+  void operator()(const char* key, const KeyBindings& value) const {
+    out[key] = json::object();
+    for (const auto& [command, letter] : value.to_pairs()) out[key][command] = letter;
+  }
   template <class Choice, std::size_t n>
   void operator()(const char* key, Choice value, const std::array<std::string_view, n>& of) const {
     out[key] = of[static_cast<std::size_t>(value)];
@@ -74,6 +78,20 @@ struct Reader {
       sound = sound && value[i] == name_of(value[i]);
     }
   }
+  void operator()(const char* key, KeyBindings& value) {
+    const json* const given = find(key);
+    if (!given) return;
+    sound &= given->is_object();
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& item : given->items()) {
+      sound &= item.value().is_string();
+      if (!sound) return;
+      pairs.emplace_back(item.key(), item.value().get<std::string>());
+    }
+    const auto read = KeyBindings::from_pairs(pairs);
+    sound &= read.ok();
+    if (read) value = read.value();
+  }
   template <class Choice, std::size_t n>
   void operator()(const char* key, Choice& value, const std::array<std::string_view, n>& of) {
     const json* const given = find(key);
@@ -103,6 +121,7 @@ void visit_all(Any& settings, Visit& visit) {
   visit("names", settings.names);
   visit("breaks", settings.breaks, breakers);
   visit("keep-turn", settings.keep_turn);
+  visit("keys", settings.keys);
 }
 
 std::string text_of(const Settings& settings) {

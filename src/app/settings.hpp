@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/aim_settings.hpp"
+#include "app/key_bindings.hpp"
 #include "app/palette.hpp"
 #include "app/store.hpp"
 
@@ -42,6 +43,7 @@ struct Settings {
   Breaks breaks = Breaks::player_1;
   bool taught = false;     ///< has done something while it was shown how to shoot
   bool keep_turn = false;  ///< billiards: who scores plays on (games::billiards::Options)
+  KeyBindings keys;
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -144,6 +144,37 @@ TEST_F(KeysTest, ACommandIsPutOnAnotherLetter) {
   EXPECT_TRUE(game.shows("repeat: R"));
 }
 
+TEST(KeptKeys, AreThereAtTheNextStart) {
+  app::MemoryStore store;
+  const auto again_on = [](Player& game) {
+    game.key(Key::help);
+    game.press("Keys…");
+    return game.shows("repeat: Q") ? 'q' : game.shows("repeat: R") ? 'r' : '?';
+  };
+  {
+    Player game(app::Language::english, 800, 600, {}, store);
+    ASSERT_EQ(again_on(game), 'r');
+    EXPECT_FALSE(store.load(app::settings_file).value()) << "nothing is changed yet";
+    game.press("Start again");
+    game.key(Key::q);
+  }
+  Player game(app::Language::english, 800, 600, {}, store);
+  game.app().settings().set(game.app().settings().get());
+  EXPECT_EQ(again_on(game), 'q') << "and other settings leave it alone";
+  game.key(Key::escape);
+  game.key(Key::escape);
+  for (int i = 0; i < 3; ++i) game.key(Key::enter);
+  game.pass(std::chrono::milliseconds{100});
+  game.key(Key::q);
+  EXPECT_TRUE(game.says("Start again?"));
+  game.key(Key::escape);
+  game.key(Key::help);
+  game.press("Keys…");
+  game.press("Defaults");
+  Player last(app::Language::english, 800, 600, {}, store);
+  EXPECT_EQ(again_on(last), 'r');
+}
+
 TEST_F(KeysTest, LabelsAreThoseOfThePlayersKeyboard) {
   game.app().name_keys([](Key key) { return key == Key::n ? "Й" : ""; });
   game.key(Key::help);

@@ -32,6 +32,10 @@ Settings all_changed() {
   settings.names = {"Zoé", "Émile le 2ᵉ"};
   settings.breaks = Breaks::loser;
   settings.keep_turn = true;
+  // "next" and "pause" have changed places.
+  settings.keys = app::KeyBindings::from_pairs(
+                      {{"again", "z"}, {"next", "p"}, {"pause", "n"}, {"mute", "a"}, {"fast", "q"}})
+                      .value();
   return settings;
 }
 
@@ -58,7 +62,9 @@ TEST(Settings, AreSavedAfterEveryChange) {
             "  \"colours\": \"high-contrast\",\n  \"aiming\": \"turn-then-power\",\n"
             "  \"preview\": \"full\",\n  \"hints\": false,\n  \"taught\": true,\n  \"names\": [\n  "
             "  \"Zoé\",\n"
-            "    \"Émile le 2ᵉ\"\n  ],\n  \"breaks\": \"loser\",\n  \"keep-turn\": true\n}\n");
+            "    \"Émile le 2ᵉ\"\n  ],\n  \"breaks\": \"loser\",\n  \"keep-turn\": true,\n"
+            "  \"keys\": {\n    \"again\": \"z\",\n    \"next\": \"p\",\n    \"pause\": \"n\",\n"
+            "    \"fast\": \"q\",\n    \"mute\": \"a\"\n  }\n}\n");
 }
 
 TEST(Settings, AMissingKeyHasItsDefault) {
@@ -143,6 +149,12 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"angry-balls-settings": 1, "names": ["a\nb", ""]})",
                     R"({"angry-balls-settings": 1, "breaks": "winner"})",
                     R"({"angry-balls-settings": 1, "keep-turn": "true"})",
+                    R"({"angry-balls-settings": 1, "keys": "r"})",
+                    R"({"angry-balls-settings": 1, "keys": [["again", "r"]]})",
+                    R"({"angry-balls-settings": 1, "keys": {"again": 1}})",
+                    R"({"angry-balls-settings": 1, "keys": {"jump": "a"}})",
+                    R"({"angry-balls-settings": 1, "keys": {"again": "R"}})",
+                    R"({"angry-balls-settings": 1, "volume": 5, "keys": {"again": "n"}})",
                     "{\"angry-balls-settings\": 1, \"names\": [\"\xff\", \"\"]}"));
 
 TEST(Settings, WhatAnotherProgramWroteMeanwhileIsNotOverwritten) {
