@@ -1,6 +1,7 @@
 #include "app/app.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -58,7 +59,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
 void App::event(const Input& input) {
   if (const auto* resized = std::get_if<Resized>(&input)) {
     view_ = View::of(resized->width, resized->height, resized->density);
-    view_.touch = touch_;
+    view_.touch = words_.hand() == Hand::finger;
     atlas_.clear();  // the sizes in use have changed
     screen_->resize(view_);
     if (help_) help_->resize(view_);
@@ -80,7 +81,7 @@ void App::event(const Input& input) {
   } else {
     give(input);
   }
-  note_touch(input);
+  note_hand(input);
 }
 
 /// By what was drawn last, which is what the player sees.
@@ -117,13 +118,22 @@ std::vector<SoundEvent> App::take_sounds() {
   return sounds;
 }
 
-/// Buttons grow for fingers as soon as the first is lifted: nothing moves beneath one.
-void App::note_touch(const Input& input) {
-  if (std::holds_alternative<Finger>(input)) touch_ = true;
-  if (std::holds_alternative<PointerPressed>(input)) touch_ = false;
+/// Texts and buttons are for the hand used last. Buttons grow for fingers as soon as the first is
+/// lifted: nothing moves beneath one.
+void App::note_hand(const Input& input) {
+  const auto* moved = std::get_if<PadMoved>(&input);
+  if (std::holds_alternative<Finger>(input))
+    words_.take_hand(Hand::finger);
+  else if (std::holds_alternative<PadPressed>(input) || (moved && std::abs(moved->value) > 0.5f))
+    words_.take_hand(Hand::pad);
+  else if (std::holds_alternative<PointerPressed>(input) ||
+           // A finger may press keys too: those of the screen's keyboard.
+           (std::holds_alternative<KeyPressed>(input) && words_.hand() == Hand::pad))
+    words_.take_hand(Hand::mouse);
+  const bool touch = words_.hand() == Hand::finger;
   const bool held = !fingers_.none() || std::holds_alternative<PointerPressed>(input);
-  if (touch_ == view_.touch || held) return;
-  view_.touch = touch_;
+  if (touch == view_.touch || held) return;
+  view_.touch = touch;
   screen_->resize(view_);
   if (help_) help_->resize(view_);
 }

@@ -74,7 +74,7 @@ class App {
   std::optional<Key> meaning(Key pressed) const {
     return help_ ? pressed : session_.keyboard.bindings.meaning(pressed);
   }
-  void note_touch(const Input& input);
+  void note_hand(const Input& input);
   bool steers() const { return !help_ && screen_->call().has_value(); }
   void go(Transition transition);
   void resume();
@@ -98,7 +98,6 @@ class App {
   std::optional<Help> help_;       ///< over the screen, which waits
   Fingers fingers_;
   Pad pad_;
-  bool touch_ = false;   ///< the last pointer was a finger
   nanoseconds quiet_{};  ///< since the last input
   bool quit_requested_ = false;
 };

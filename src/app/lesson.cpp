@@ -30,7 +30,8 @@ void draw_arrow(DrawList& list, Point from, Point to, float width) {
   fill(list, std::array{to, neck + across, neck - across}, palette::cream);
 }
 
-void draw_picture(Canvas& canvas, const Rect& box, int number) {
+/// `by_hand`: the ball itself is taken.
+void draw_picture(Canvas& canvas, const Rect& box, int number, bool by_hand) {
   DrawList& list = canvas.list;
   const float r = std::min(box.h * 0.22f, box.w * 0.12f);
   const Point middle = box.center();
@@ -39,12 +40,12 @@ void draw_picture(Canvas& canvas, const Rect& box, int number) {
   const Point ball = middle + Point{r * aside[static_cast<std::size_t>(number)], 0};
   const Point hand = ball + Point{-r * 3.2f, r * 1.2f};
   draw_ball_shadow(list, ball, r);
-  if (number == 1)
+  if (number == 1 && by_hand)
     for (const float side : {-1.0f, 1.0f})
       line(list, ball + Point{0, r * side * 0.9f}, hand, r * 0.2f, palette::brass);
   draw_ball(list, ball, r, BallKind::ivory);
-  if (number == 0) draw_touch(list, ball + Point{r * 0.2f, r * 0.3f}, r * 0.7f);
-  if (number == 1) draw_touch(list, hand, r * 0.7f);
+  if (number == 0 && by_hand) draw_touch(list, ball + Point{r * 0.2f, r * 0.3f}, r * 0.7f);
+  if (number == 1 && by_hand) draw_touch(list, hand, r * 0.7f);
   if (number == 2) {
     const Point way = unit(ball - hand);
     draw_arrow(list, ball + way * (r * 1.4f), ball + way * (r * 4.2f), r * 0.3f);
@@ -85,7 +86,7 @@ void draw_lesson(Canvas& canvas, const Call& call, const Words& words) {
   for (int i = 0; i < 3; ++i) {
     Rect card = rest.cut_left(rest.w / static_cast<float>(3 - i));
     const Rect words_box = card.cut_bottom(canvas.px(30));
-    draw_picture(canvas, card, i);
+    draw_picture(canvas, card, i, words.hand() != Hand::pad);
     label(canvas, words_box.inset(canvas.px(3), 0),
           {Face::bold, 17, i == 2 ? palette::brass_lit : palette::cream, Align::center},
           words(texts[static_cast<std::size_t>(i)]));

@@ -7,6 +7,8 @@
 namespace app {
 namespace {
 
+/// {0} stands for a value, [C] for what a hand does (signs); what follows [|] is for those with
+/// keys.
 struct Entry {
   Text text;
   std::array<std::string_view, 2> in;  ///< by Language
@@ -28,21 +30,19 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::close, {"Close", "Fermer"}},
     {Text::retry, {"Try again", "Réessayer"}},
     {Text::hint_take_cue_ball,
-     {"Click the white cue ball to aim.", "Cliquez sur la boule blanche pour viser."}},
+     {"[C] the white cue ball to aim.", "[C] [S]la boule blanche pour viser."}},
     {Text::hint_not_cue_ball,
-     {"That is not the cue ball: click the white one first.",
-      "Ce n’est pas la boule blanche : cliquez d’abord sur elle."}},
+     {"That is not the cue ball: [c] the white one first.",
+      "Pas celle-là : [c] d’abord [S]la boule blanche."}},
     {Text::hint_shoot,
-     {"Click where to send it. Esc or right click: take it back.",
-      "Cliquez où l’envoyer. Échap ou clic droit : annuler."}},
+     {"[C] where to send it. [B]: take it back.", "[C] où l’envoyer. [B] : annuler."}},
     {Text::hint_too_weak,
-     {"Too weak to move the ball: click further away.",
-      "Trop faible pour la boule : cliquez plus loin."}},
+     {"Too weak to move the ball: [c] further away.",
+      "Trop faible pour la boule : [c] plus loin."}},
     {Text::hint_watch,
-     {"The balls are rolling… Hold {0}: faster. {1}: pause.",
-      "Les boules roulent… {0} maintenue : plus vite. {1} : pause."}},
-    {Text::hint_place,
-     {"Click to put the cue ball down here.", "Cliquez pour poser la boule blanche ici."}},
+     {"The balls are rolling…[|] Hold {0}: faster. {1}: pause.",
+      "Les boules roulent…[|] {0} maintenue : plus vite. {1} : pause."}},
+    {Text::hint_place, {"[C] where to put the cue ball down.", "[C] où poser la boule blanche."}},
     {Text::hint_obstructed, {"It cannot lie here: {0}.", "Elle ne peut pas être ici : {0}."}},
     {Text::on_ball, {"another ball is in the way", "une autre boule gêne"}},
     {Text::on_hole, {"over a pocket", "au-dessus d’un trou"}},
@@ -94,24 +94,22 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::enemies, {"Enemies", "Ennemis"}},
     {Text::goal, {"Enemies: {0} · throws: {1}", "Ennemis : {0} · lancers : {1}"}},
     {Text::level_and_name, {"Level {0}: {1}", "Niveau {0} : {1}"}},
-    {Text::hint_take_projectile,
-     {"Click the angry ball to take it.", "Cliquez sur la boule en colère."}},
+    {Text::hint_take_projectile, {"[C] the angry ball to take it.", "[C] [S]la boule en colère."}},
     {Text::hint_not_projectile,
-     {"Not there: click the angry ball on its post.", "Pas là : cliquez sur la boule en colère."}},
+     {"Not there: [c] the angry ball on its post.", "Pas là : [c] [S]la boule en colère."}},
     {Text::hint_throw,
-     {"Click where to throw it. Esc or right click: take it back.",
-      "Cliquez où la lancer. Échap ou clic droit : annuler."}},
+     {"[C] where to throw it. [B]: take it back.", "[C] où la lancer. [B] : annuler."}},
     {Text::hint_flying,
-     {"There it goes… Hold {0}: faster. {1}: pause.",
-      "C’est parti… {0} maintenue : plus vite. {1} : pause."}},
+     {"There it goes…[|] Hold {0}: faster. {1}: pause.",
+      "C’est parti…[|] {0} maintenue : plus vite. {1} : pause."}},
     {Text::hint_next,
-     {"All is calm. Click anywhere, or press {0}, for the next throw.",
-      "Tout est calme. Cliquez, ou touche {0}, pour relancer."}},
+     {"All is calm. [C] for the next throw.[|] Or press {0}.",
+      "Tout est calme. [C] pour relancer.[|] Ou touche {0}."}},
     {Text::hint_finish,
-     {"That was the last throw. Click anywhere, or press {0}, to end.",
-      "C’était le dernier lancer. Cliquez, ou touche {0}."}},
-    {Text::next_throw, {"Next throw ({0})", "Lancer suivant ({0})"}},
-    {Text::finish, {"End of the level ({0})", "Fin du niveau ({0})"}},
+     {"That was the last throw. [C] to end.[|] Or press {0}.",
+      "C’était le dernier lancer. [C] pour finir.[|] Ou touche {0}."}},
+    {Text::next_throw, {"Next throw[|] ({0})", "Lancer suivant[|] ({0})"}},
+    {Text::finish, {"End of the level[|] ({0})", "Fin du niveau[|] ({0})"}},
     {Text::won, {"Level won!", "Niveau gagné !"}},
     {Text::lost, {"Level lost", "Niveau perdu"}},
     {Text::new_best, {"A new best score!", "Nouveau record !"}},
@@ -120,10 +118,10 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::next_level, {"Next level", "Suivant"}},
     {Text::ask_leave_level, {"Leave the level?", "Quitter le niveau ?"}},
     {Text::level_is_lost, {"This try will be lost.", "Cet essai sera perdu."}},
-    {Text::ready_to_throw, {"click the angry ball to throw", "cliquez sur la boule pour lancer"}},
+    {Text::ready_to_throw, {"[c] the angry ball to throw", "[c] [S]la boule pour lancer"}},
     {Text::watching_throw, {"watching the throw", "le lancer est en cours"}},
-    {Text::next_offered, {"click for the next throw", "cliquez pour le lancer suivant"}},
-    {Text::finish_offered, {"click to end the level", "cliquez pour finir le niveau"}},
+    {Text::next_offered, {"[c] for the next throw", "[c] pour le lancer suivant"}},
+    {Text::finish_offered, {"[c] to end the level", "[c] pour finir le niveau"}},
     {Text::level_state,
      {"{0} · {1} · {2} · score: {3} · throws left: {4} · enemies left: {5}",
       "{0} · {1} · {2} · score : {3} · lancers restants : {4} · ennemis restants : {5}"}},
@@ -191,8 +189,8 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"No replay is saved yet. Watch one after a game, or paste its text here.",
       "Rien n’est gardé. Revoyez une partie à sa fin, ou collez-en le texte ici."}},
     {Text::hint_replays,
-     {"Choose a replay, or paste one as text (Ctrl+V).",
-      "Choisissez, ou collez un texte (Ctrl+V)."}},
+     {"Choose a replay, or paste one as text[|] (Ctrl+V).",
+      "Choisissez, ou collez un texte[|] (Ctrl+V)."}},
     {Text::replay_line, {"{0} · turns: {1} · {2}", "{0} · tours : {1} · {2}"}},
     {Text::replays_state, {"{0} · {1} · replays: {2}", "{0} · {1} · parties : {2}"}},
     {Text::bad_replay, {"Cannot be shown: it is damaged.", "Illisible : le fichier est abîmé."}},
@@ -227,18 +225,36 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"Your turn: pull this ball back, then let go.",
       "À vous : tirez cette boule en arrière, puis lâchez."}},
     {Text::nudge_click,
-     {"Your turn: click this ball, then where to send it.",
-      "À vous : cliquez la boule, puis où l’envoyer."}},
+     {"Your turn: [c] this ball, then where to send it.",
+      "À vous : [c] [S]la boule, puis où l’envoyer."}},
     {Text::nudge_turn,
      {"Your turn: point where to shoot, then click.", "À vous : visez, puis cliquez pour tirer."}},
     {Text::nudge_place,
-     {"Put this ball down: click, or arrows and Enter.",
-      "Posez la boule : un clic, ou flèches et Entrée."}},
+     {"Put this ball down: [c] its place.[|] Or arrows and Enter.",
+      "Posez la boule : [c] [S]sa place.[|] Ou flèches et Entrée."}},
     {Text::lesson_1, {"Press on the ball", "Pressez la boule"}},
     {Text::lesson_2, {"Pull it back", "Tirez en arrière"}},
     {Text::lesson_3, {"Let go!", "Lâchez !"}},
+    {Text::touch_turn, {"Touch where to aim, then Shoot.", "Touchez vers où viser, puis Tirer."}},
+    {Text::touch_replay,
+     {"Touch the bar to go to a turn.", "Touchez la barre pour aller à un tour."}},
+    {Text::touch_repeat, {"Repeat: {1} once more.", "Répéter : encore {1}."}},
+    {Text::pad_aim,
+     {"Left stick: aim. Triggers: power. A: shoot.",
+      "Stick gauche : viser. Gâchettes : force. A : tirer."}},
+    {Text::pad_shoot,
+     {"A: shoot. B: cancel. LB, RB: aim finer.", "A : tirer. B : annuler. LB, RB : plus fin."}},
+    {Text::pad_place,
+     {"Left stick: carry the ball. A: put it down.",
+      "Stick gauche : porter la boule. A : la poser."}},
+    {Text::pad_settings,
+     {"Cross: choose a line, change it.", "Croix : choisir une ligne, la changer."}},
+    {Text::pad_ready, {"A to throw", "A pour lancer"}},
+    {Text::pad_lesson_1, {"Left stick: aim", "Stick gauche : viser"}},
+    {Text::pad_lesson_2, {"Triggers: power", "Gâchettes : force"}},
+    {Text::pad_lesson_3, {"A: shoot!", "A : tirez !"}},
     {Text::tip_restart, {"Starts anew from the first shot", "Reprend depuis le premier tir"}},
-    {Text::tip_close, {"Leaves the game (Esc)", "Quitte la partie (Échap)"}},
+    {Text::tip_close, {"Leaves the game[|] (Esc)", "Quitte la partie[|] (Échap)"}},
     {Text::tip_take_back, {"Back to before the last throw", "Revient avant le dernier tir"}},
     {Text::tip_repeat, {"Throws just so once more", "Refait le même tir"}},
     {Text::tip_slower_throw,
@@ -255,24 +271,25 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"Alone; shots can be taken back", "Seul ; on peut annuler ses tirs"}},
     {Text::tip_angry_balls, {"Three throws to clear a level", "Trois lancers par niveau"}},
     {Text::tip_replays, {"Games you saved", "Les parties gardées"}},
-    {Text::tip_settings, {"Language, sound, players (F10)", "Langue, son, joueurs (F10)"}},
-    {Text::tip_quit, {"Closes the program (Esc)", "Ferme le programme (Échap)"}},
+    {Text::tip_settings, {"Language, sound, players[|] (F10)", "Langue, son, joueurs[|] (F10)"}},
+    {Text::tip_quit, {"Closes the program[|] (Esc)", "Ferme le programme[|] (Échap)"}},
     {Text::tip_practice_levels,
      {"Take throws back; no best scores", "Lancers annulables, sans record"}},
-    {Text::tip_title, {"Back to the title (Esc)", "Retour au titre (Échap)"}},
+    {Text::tip_title, {"Back to the title[|] (Esc)", "Retour au titre[|] (Échap)"}},
     {Text::tip_page, {"Turns the page", "Tourne la page"}},
     {Text::tip_keys, {"Puts commands on other letters", "Change la lettre des commandes"}},
-    {Text::tip_close_help, {"Back to where you were (Esc)", "Retour (Échap)"}},
-    {Text::tip_paste, {"Shows the replay you copied (Ctrl+V)", "Montre la partie copiée (Ctrl+V)"}},
-    {Text::tip_previous_turn, {"To the turn before (←)", "Au tour d’avant (←)"}},
-    {Text::tip_following_turn, {"To the next turn (→)", "Au tour suivant (→)"}},
-    {Text::tip_play, {"Plays or stops (Space)", "Lit ou arrête (Espace)"}},
-    {Text::tip_step, {"One step of 1/100 s (.)", "Un pas de 1/100 s (.)"}},
-    {Text::tip_slower, {"Slower (−)", "Plus lent (−)"}},
-    {Text::tip_faster, {"Faster (+)", "Plus vite (+)"}},
+    {Text::tip_close_help, {"Back to where you were[|] (Esc)", "Retour[|] (Échap)"}},
+    {Text::tip_paste,
+     {"Shows the replay you copied[|] (Ctrl+V)", "Montre la partie copiée[|] (Ctrl+V)"}},
+    {Text::tip_previous_turn, {"To the turn before[|] (←)", "Au tour d’avant[|] (←)"}},
+    {Text::tip_following_turn, {"To the next turn[|] (→)", "Au tour suivant[|] (→)"}},
+    {Text::tip_play, {"Plays or stops[|] (Space)", "Lit ou arrête[|] (Espace)"}},
+    {Text::tip_step, {"One step of 1/100 s[|] (.)", "Un pas de 1/100 s[|] (.)"}},
+    {Text::tip_slower, {"Slower[|] (−)", "Plus lent[|] (−)"}},
+    {Text::tip_faster, {"Faster[|] (+)", "Plus vite[|] (+)"}},
     {Text::tip_save, {"Keeps it among your replays", "La garde dans Revoir"}},
-    {Text::tip_copy, {"Copies it as a text (Ctrl+C)", "La copie en texte (Ctrl+C)"}},
-    {Text::tip_close_replay, {"Back to where you were (Esc)", "Retour (Échap)"}},
+    {Text::tip_copy, {"Copies it as a text[|] (Ctrl+C)", "La copie en texte[|] (Ctrl+C)"}},
+    {Text::tip_close_replay, {"Back to where you were[|] (Esc)", "Retour[|] (Échap)"}},
     {Text::help, {"Help", "Aide"}},
     {Text::change_keys, {"Keys…", "Touches…"}},
     {Text::help_back, {"Back", "Retour"}},
@@ -334,11 +351,11 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::entered_angle, {"{0} °", "{0} °"}},
     {Text::entered_speed, {"{0} px/s", "{0} px/s"}},
     {Text::hint_pull,
-     {"Pull the ball back and let go. Keys: arrows, Enter.",
-      "Tirez la boule en arrière, lâchez. Clavier : flèches, Entrée."}},
+     {"Pull the ball back and let go.[|] Keys: arrows, Enter.",
+      "Tirez la boule en arrière, lâchez.[|] Clavier : flèches, Entrée."}},
     {Text::hint_let_go,
-     {"Let go to shoot. Back to the ball, or Esc: cancel.",
-      "Lâchez pour tirer. Retour à la boule ou Échap : annuler."}},
+     {"Let go to shoot. Back to the ball: cancel.[|] Or Esc.",
+      "Lâchez pour tirer. Retour à la boule : annuler.[|] Ou Échap."}},
     {Text::hint_turn,
      {"Point to turn; wheel, Space or bar: power. Click to shoot.",
       "Visez ; force : molette, Espace, barre. Cliquez : tirer."}},
@@ -365,8 +382,8 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"Settings cannot be saved: they last until the end.",
       "Les réglages ne peuvent pas être gardés."}},
     {Text::hint_settings,
-     {"Click a line to change it, or use Tab and the arrow keys.",
-      "Cliquez sur une ligne, ou touches Tab et flèches."}},
+     {"[C] a line to change it.[|] Or use Tab and the arrow keys.",
+      "[C] [S]une ligne pour la changer.[|] Ou Tab et flèches."}},
     {Text::tab_general, {"General", "Général"}},
     {Text::tab_picture, {"Picture", "Image"}},
     {Text::tab_aiming, {"Aiming", "Visée"}},
@@ -422,7 +439,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::colours_red_green, {"For red and green", "Pour rouge et vert"}},
     {Text::colours_blue_yellow, {"For blue and yellow", "Pour bleu et jaune"}},
     {Text::colours_high_contrast, {"High contrast", "Contraste élevé"}},
-    {Text::way_clicks, {"Two clicks", "Deux clics"}},
+    {Text::way_clicks, {"Two [k]", "Deux [k]"}},
     {Text::way_pull, {"Drag back, let go", "Tirer et lâcher"}},
     {Text::way_turn, {"Turn, then power", "Tourner, puis doser"}},
     {Text::preview_off, {"Off", "Aucun"}},
@@ -432,10 +449,10 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::breaks_alternate, {"In turn", "À tour de rôle"}},
     {Text::breaks_loser, {"The loser", "Le perdant"}},
     {Text::sound_on, {"Sound on", "Son activé"}},
-    {Text::sound_off, {"Sound off (M: on)", "Son coupé (M : rétablir)"}},
+    {Text::sound_off, {"Sound off[|] (M: on)", "Son coupé[|] (M : rétablir)"}},
     {Text::paused, {"Paused", "Pause"}},
     {Text::hint_paused,
-     {"Click, or press any key, to go on.", "Cliquez, ou une touche, pour continuer."}},
+     {"[C] to go on.[|] Or press any key.", "[C] pour continuer.[|] Ou une touche."}},
     {Text::paused_state, {"paused: {0}", "en pause : {0}"}},
     {Text::open_file, {"Open a file", "Ouvrir…"}},
     {Text::unnamed_level, {"Unnamed level", "Niveau sans nom"}},
@@ -448,6 +465,56 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
      {"The level could not be kept: it is gone after this game.",
       "Le niveau n’a pas pu être gardé."}},
 }};
+
+/// What is said instead to who plays by another hand than the mouse.
+struct ByHand {
+  Hand hand;
+  Text text;
+  Text instead;
+};
+constexpr std::array by_hand{
+    ByHand{Hand::finger, Text::hint_turn, Text::touch_turn},
+    ByHand{Hand::finger, Text::nudge_turn, Text::touch_turn},
+    ByHand{Hand::finger, Text::hint_replay, Text::touch_replay},
+    ByHand{Hand::finger, Text::hint_repeat, Text::touch_repeat},
+    ByHand{Hand::pad, Text::hint_repeat, Text::touch_repeat},
+    ByHand{Hand::pad, Text::hint_take_cue_ball, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_not_cue_ball, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_take_projectile, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_not_projectile, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_pull, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_turn, Text::pad_aim},
+    ByHand{Hand::pad, Text::nudge_pull, Text::pad_aim},
+    ByHand{Hand::pad, Text::nudge_click, Text::pad_aim},
+    ByHand{Hand::pad, Text::nudge_turn, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_shoot, Text::pad_shoot},
+    ByHand{Hand::pad, Text::hint_throw, Text::pad_shoot},
+    ByHand{Hand::pad, Text::hint_too_weak, Text::pad_aim},
+    ByHand{Hand::pad, Text::hint_keys, Text::pad_shoot},
+    ByHand{Hand::pad, Text::hint_place, Text::pad_place},
+    ByHand{Hand::pad, Text::nudge_place, Text::pad_place},
+    ByHand{Hand::pad, Text::hint_settings, Text::pad_settings},
+    ByHand{Hand::pad, Text::ready_to_throw, Text::pad_ready},
+    ByHand{Hand::pad, Text::lesson_1, Text::pad_lesson_1},
+    ByHand{Hand::pad, Text::lesson_2, Text::pad_lesson_2},
+    ByHand{Hand::pad, Text::lesson_3, Text::pad_lesson_3},
+};
+
+/// What a sign in brackets stands for, by Hand and Language.
+struct Sign {
+  char sign;
+  std::array<std::array<std::string_view, 2>, 3> in;
+};
+constexpr std::array signs{
+    Sign{'C', {{{"Click", "Cliquez"}, {"Tap", "Touchez"}, {"Press A", "Appuyez sur A"}}}},
+    Sign{'c', {{{"click", "cliquez"}, {"tap", "touchez"}, {"press A", "appuyez sur A"}}}},
+    Sign{'S', {{{"", "sur "}, {"", ""}, {"", ""}}}},  // French clicks on things, and touches them
+    Sign{'k', {{{"clicks", "clics"}, {"taps", "touches"}, {"clicks", "clics"}}}},
+    Sign{'B',
+         {{{"Esc or right click", "Échap ou clic droit"},
+           {"Two fingers", "Deux doigts"},
+           {"B", "B"}}}},
+};
 
 struct LevelName {
   std::string_view english;
@@ -481,6 +548,12 @@ Language language_of_locale(std::string_view locale) {
 }
 
 std::string Words::operator()(Text text, std::initializer_list<std::string_view> values) const {
+  const Hand hand = voice_->hand;
+  for (const ByHand& other : by_hand)
+    if (other.hand == hand && other.text == text) {
+      text = other.instead;
+      break;
+    }
   const std::string_view pattern =
       entries[static_cast<std::size_t>(text)].in[static_cast<std::size_t>(language())];
   std::string out;
@@ -488,6 +561,13 @@ std::string Words::operator()(Text text, std::initializer_list<std::string_view>
     if (pattern[i] == '{') {
       const auto n = static_cast<std::size_t>(pattern[i + 1] - '0');
       if (n < values.size()) out += values.begin()[n];
+      i += 2;
+    } else if (pattern[i] == '[') {
+      const char sign = pattern[i + 1];
+      if (sign == '|' && hand != Hand::mouse) break;
+      for (const Sign& known : signs)
+        if (known.sign == sign)
+          out += known.in[static_cast<std::size_t>(hand)][static_cast<std::size_t>(language())];
       i += 2;
     } else {
       out += pattern[i];

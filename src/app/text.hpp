@@ -12,6 +12,8 @@
 namespace app {
 
 enum class Language : std::uint8_t { english, french };
+/// What the player plays by; the mouse goes with the keys.
+enum class Hand : std::uint8_t { mouse, finger, pad };
 
 /// From a POSIX locale's name such as "fr_CA.UTF-8"; English unless it is French.
 Language language_of_locale(std::string_view locale);
@@ -194,6 +196,17 @@ enum class Text : std::uint16_t {
   lesson_1,
   lesson_2,
   lesson_3,
+  touch_turn,
+  touch_replay,
+  touch_repeat,
+  pad_aim,
+  pad_shoot,
+  pad_place,
+  pad_settings,
+  pad_ready,
+  pad_lesson_1,
+  pad_lesson_2,
+  pad_lesson_3,
   tip_restart,
   tip_close,
   tip_take_back,
@@ -339,7 +352,7 @@ enum class Text : std::uint16_t {
 /// screens keep theirs, and a change of language needs no new screen.
 class Words {
  public:
-  explicit Words(Language language) : voice_(std::make_shared<Voice>(Voice{language, {}})) {}
+  explicit Words(Language language) : voice_(std::make_shared<Voice>(Voice{language, {}, {}})) {}
   // No moving: there are always words.
   Words(const Words&) = default;
   Words& operator=(const Words&) = default;
@@ -347,6 +360,9 @@ class Words {
 
   void speak(Language language) { voice_->language = language; }
   Language language() const { return voice_->language; }
+  /// Texts tell what to do by this hand.
+  void take_hand(Hand hand) { voice_->hand = hand; }
+  Hand hand() const { return voice_->hand; }
   /// What player() gives; an empty name means "Player 1", "Player 2".
   void name_players(std::array<std::string, 2> names) { voice_->names = std::move(names); }
 
@@ -365,6 +381,7 @@ class Words {
   struct Voice {
     Language language;
     std::array<std::string, 2> names;
+    Hand hand{};
   };
   std::shared_ptr<Voice> voice_;
 };

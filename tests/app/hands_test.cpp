@@ -279,7 +279,7 @@ TEST_F(Hands, AFingerTurnsAndTheButtonShoots) {
   for (const bool by_button : {true, false}) {
     tap("Billiards");
     const app::Point cue = table().viewport().to_window({200, 200});
-    EXPECT_FALSE(game.shows("Shoot"));
+    EXPECT_FALSE(game.offers("Shoot"));
     tap(cue + app::Point{0, -100});
     ASSERT_TRUE(table().aimed());
     EXPECT_NEAR(table().aimed()->degrees(), 90, 0.1);
@@ -314,6 +314,38 @@ TEST_F(Hands, ButtonsGrowForFingers) {
       }
     }
   }
+}
+
+TEST_F(Hands, TheOneUsedLastIsToldWhatItDoes) {
+  game.app().teach_beginners();
+  key(Key::enter);
+  EXPECT_TRUE(game.shows("Press on the ball"));
+  EXPECT_TRUE(game.shows("Pull the ball back and let go. Keys: arrows, Enter."));
+  game.app().event(app::PadMoved{PadAxis::right_trigger, 0.1f});
+  EXPECT_TRUE(game.shows("Keys: arrows")) << "a trigger that is not quite let go is no hand";
+  game.app().event(app::PadMoved{PadAxis::right_trigger, 0.6f});
+  game.app().event(app::PadMoved{PadAxis::right_trigger, 0});
+  EXPECT_TRUE(game.shows("Triggers: power"));
+  EXPECT_FALSE(game.shows("Press on the ball"));
+  EXPECT_TRUE(game.shows("A: shoot."));
+  game.app().event(app::Finger{1, app::Finger::Phase::down, {1, 1}});
+  game.app().event(app::Finger{1, app::Finger::Phase::up, {1, 1}});
+  EXPECT_TRUE(game.shows("tap the white one"));
+  EXPECT_FALSE(game.shows("A: shoot."));
+  key(Key::up);
+  key(Key::escape);
+  EXPECT_TRUE(game.shows("let go."));
+  EXPECT_FALSE(game.shows("Keys: arrows")) << "a finger's keys are those of the screen";
+  game.click({1, 1});
+  EXPECT_TRUE(game.shows("click the white one"));
+  pad(PadButton::b);
+  EXPECT_TRUE(game.says("title screen"));
+  key(Key::enter);
+  EXPECT_TRUE(game.shows("Keys: arrows"));
+  tap("Close");
+  tap("Angry Balls");
+  tap("First steps");
+  EXPECT_TRUE(game.says("tap the angry ball"));
 }
 
 TEST_F(Hands, NothingLightsUpOnceAFingerIsLifted) {

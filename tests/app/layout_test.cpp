@@ -178,6 +178,43 @@ TEST_P(Layout, ForFingersAndBeginners) {
   }
 }
 
+TEST_P(Layout, WordsForEveryHandAndWayOfAiming) {
+  for (const auto way : {app::AimWay::clicks, app::AimWay::pull, app::AimWay::turn}) {
+    app::Settings settings = game.app().settings().get();
+    settings.aiming.way = way;
+    game.app().settings().set(settings);
+    for (const bool table : {true, false}) {
+      if (table) {
+        key(app::Key::enter);
+      } else {
+        game.press("Angry Balls");
+        choose_level(1);
+      }
+      game.pass(3s);
+      for (const bool finger : {true, false}) {
+        const app::Point away{static_cast<float>(size.width) - 1,
+                              static_cast<float>(size.height) - 1};
+        if (finger) {
+          for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
+            game.app().event(app::Finger{0, phase, away});
+        } else {
+          game.app().event(app::PadPressed{app::PadButton::start});
+          check();
+          game.app().event(app::PadPressed{app::PadButton::start});
+        }
+        check();
+        game.app().rest(30s);
+        check();
+      }
+      game.app().event(app::PadPressed{app::PadButton::left});
+      check();
+      key(app::Key::escape);
+      key(app::Key::escape);
+      if (!table) key(app::Key::escape);
+    }
+  }
+}
+
 TEST_P(Layout, FirstTurnAnnounced) {
   key(app::Key::enter);
   game.pass(500ms);

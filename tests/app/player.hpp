@@ -19,6 +19,13 @@ struct Player : platform::NullPlatform {
       if (box.text.find(text) != std::string::npos) return true;
     return false;
   }
+  /// The same of a button.
+  bool offers(std::string_view text) {
+    for (const app::Box& box : boxes())
+      if (box.kind == app::Box::Kind::button && box.text.find(text) != std::string::npos)
+        return true;
+    return false;
+  }
   bool says(std::string_view text) { return title().find(text) != std::string::npos; }
   /// Clicks the button whose label has `text` in it; of several, the one on top.
   void press(std::string_view text) {

@@ -4,6 +4,7 @@
 
 namespace {
 
+using app::Hand;
 using app::Language;
 using app::Text;
 using app::Words;
@@ -52,13 +53,56 @@ TEST(Words, ShippedLevelsHaveFrenchNames) {
   EXPECT_EQ(Words(Language::french).level_name("My own"), "My own");
 }
 
-TEST(Words, EveryTextInEveryLanguage) {
+TEST(Words, EveryTextInEveryLanguageForEveryHand) {
   for (const Language language : {Language::english, Language::french}) {
-    for (int i = 0; i < static_cast<int>(Text::count); ++i) {
-      const std::string text =
-          Words(language)(static_cast<Text>(i), {"a", "b", "c", "d", "e", "f", "g"});
-      EXPECT_FALSE(text.empty());
-      EXPECT_EQ(text.find('{'), std::string::npos) << text;
+    for (const Hand hand : {Hand::mouse, Hand::finger, Hand::pad}) {
+      for (int i = 0; i < static_cast<int>(Text::count); ++i) {
+        Words words(language);
+        words.take_hand(hand);
+        const std::string text = words(static_cast<Text>(i), {"a", "b", "c", "d", "e", "f", "g"});
+        EXPECT_FALSE(text.empty());
+        EXPECT_EQ(text.find_first_of("{}[]|"), std::string::npos) << text;
+        EXPECT_EQ(text.find("  "), std::string::npos) << text;
+        const Text what = static_cast<Text>(i);
+        const bool of_the_mouse = what == Text::help_mouse || what == Text::way_clicks;
+        if (hand == Hand::mouse || of_the_mouse) continue;
+        for (const char* const mouse : {"lick", "liqu", "clic"})
+          EXPECT_EQ(text.find(mouse), std::string::npos) << text;
+      }
+    }
+  }
+}
+
+TEST(Words, TellWhatTheHandDoes) {
+  Words words(Language::english);
+  EXPECT_EQ(words(Text::hint_shoot), "Click where to send it. Esc or right click: take it back.");
+  EXPECT_EQ(words(Text::next_throw, {"N"}), "Next throw (N)");
+  const Words copy = words;
+  words.take_hand(Hand::finger);
+  EXPECT_EQ(copy(Text::hint_shoot), "Tap where to send it. Two fingers: take it back.");
+  EXPECT_EQ(copy(Text::next_throw, {"N"}), "Next throw");
+  EXPECT_EQ(copy(Text::way_clicks), "Two taps");
+  words.speak(Language::french);
+  EXPECT_EQ(copy(Text::hint_take_cue_ball), "Touchez la boule blanche pour viser.");
+  words.take_hand(Hand::mouse);
+  EXPECT_EQ(copy(Text::hint_take_cue_ball), "Cliquez sur la boule blanche pour viser.");
+}
+
+TEST(Words, NameTheButtonOfTheGamepadThatShoots) {
+  for (const Language language : {Language::english, Language::french}) {
+    Words words(language);
+    words.take_hand(Hand::pad);
+    for (const Text how :
+         {Text::hint_take_cue_ball,  Text::hint_not_cue_ball, Text::hint_shoot,
+          Text::hint_too_weak,       Text::hint_place,        Text::hint_take_projectile,
+          Text::hint_not_projectile, Text::hint_throw,        Text::hint_pull,
+          Text::hint_turn,           Text::hint_keys,         Text::hint_next,
+          Text::hint_finish,         Text::nudge_pull,        Text::nudge_click,
+          Text::nudge_turn,          Text::nudge_place,       Text::lesson_3,
+          Text::ready_to_throw,      Text::next_offered,      Text::finish_offered}) {
+      const std::string text = " " + words(how) + " ";
+      EXPECT_TRUE(text.find(" A ") != std::string::npos || text.find(" A:") != std::string::npos)
+          << text;
     }
   }
 }
