@@ -238,6 +238,7 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& 
     const Rect box = shoot_button(canvas.view, area);
     rest.cut_left(box.w + canvas.px(12));
     Buttons button({words(Text::shoot)}, 0);
+    button.explain(0, words(Text::tip_shoot));
     button.place(0, box);
     button.draw(canvas, 18);
   }

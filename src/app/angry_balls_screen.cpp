@@ -80,6 +80,8 @@ void AngryBallsScreen::place_parts() {
     const float height = view_.px(48);
     const Point middle{world.center().x, world.y + view_.px(16) + height / 2};
     offered->prompt.relabel(0, next_label());
+    offered->prompt.explain(0,
+                            words_(game().throws_left() > 0 ? Text::tip_next : Text::tip_finish));
     offered->prompt.place(
         0, centered(middle, std::min(view_.px(300), world.w - view_.px(32)), height));
   }
@@ -183,9 +185,11 @@ Transition AngryBallsScreen::obey(UserBar::Command command) {
       game().world().steps() > 0 && !std::holds_alternative<Over>(state_) && !played_.practice();
   if (command == UserBar::Command::close) {
     if (!under_way) return Transition::levels;
-    question_.emplace(words_(Text::ask_leave_level),
-                      std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
-                      std::vector{words_(Text::leave), words_(Text::keep_playing)});
+    question_.emplace(
+        words_(Text::ask_leave_level),
+        std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
+        std::vector<Dialog::Button>{{words_(Text::leave), words_(Text::tip_give_up)},
+                                    {words_(Text::keep_playing), words_(Text::tip_close_help)}});
     place_parts();
   } else if (played_.restart()) {
     pace_.new_game();
@@ -279,11 +283,14 @@ Dialog AngryBallsScreen::result() {
   } else {
     lines.push_back({words_(Text::enemies_remain, {words_.number(game().enemies_left())}), {}, {}});
   }
-  std::vector<std::string> buttons{
-      words_(Text::play_again), words_(played_.practice() ? Text::take_back : Text::watch_replay),
-      words_(Text::menu)};
-  if (won && campaign_.next()) buttons.insert(buttons.begin(), words_(Text::next_level));
-  return {words_(won ? Text::won : Text::lost), std::move(lines), std::move(buttons)};
+  std::vector<Dialog::Button> buttons{
+      {words_(Text::play_again), words_(Text::tip_restart)},
+      played_.practice() ? Dialog::Button{words_(Text::take_back), words_(Text::tip_take_back)}
+                         : Dialog::Button{words_(Text::watch_replay), words_(Text::tip_watch)},
+      {words_(Text::menu), words_(Text::tip_menu)}};
+  if (won && campaign_.next())
+    buttons.insert(buttons.begin(), {words_(Text::next_level), words_(Text::tip_next_level)});
+  return {words_(won ? Text::won : Text::lost), std::move(lines), buttons};
 }
 
 bool AngryBallsScreen::moving() const {

@@ -92,7 +92,7 @@ bool App::presses_button(const Input& input) const {
              return box.kind == Box::Kind::button && box.area.contains(press->at);
            });
   const bool enter = is_key(input, Key::enter);
-  if (!enter && !is_key(input, Key::space)) return false;
+  if ((!enter && !is_key(input, Key::space)) || (!help_ && screen_->typing())) return false;
   return std::ranges::any_of(open, &Box::focused) ||
          (enter && std::ranges::any_of(open, &Box::primary));
 }

@@ -200,7 +200,8 @@ Transition BilliardsScreen::request(UserBar::Command command) {
   question_ =
       Question{Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
                       {{words_(Text::game_is_lost), {}, {}}},
-                      {words_(restart ? Text::new_game : Text::leave), words_(Text::keep_playing)}),
+                      {{words_(restart ? Text::new_game : Text::leave), words_(Text::tip_give_up)},
+                       {words_(Text::keep_playing), words_(Text::tip_close_help)}}),
                command};
   question_->dialog.resize(view_);
   return Transition::stay;
@@ -337,11 +338,12 @@ Dialog BilliardsScreen::result() const {
   compare(Text::best_turn, [&](int player) { return game().tally(player).best_turn; });
   compare(Text::shots, [&](int player) { return game().tally(player).shots; });
   compare(Text::fouls, [&](int player) { return game().tally(player).fouls; });
-  return {
-      winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
-      std::move(lines),
-      {words_(Text::play_again), words_(played_.practice() ? Text::take_back : Text::watch_replay),
-       words_(Text::back_to_title)}};
+  return {winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
+          std::move(lines),
+          {{words_(Text::play_again), words_(Text::tip_restart)},
+           played_.practice() ? Dialog::Button{words_(Text::take_back), words_(Text::tip_take_back)}
+                              : Dialog::Button{words_(Text::watch_replay), words_(Text::tip_watch)},
+           {words_(Text::back_to_title), words_(Text::tip_title)}}};
 }
 
 std::optional<Call> BilliardsScreen::call() const {

@@ -33,8 +33,15 @@ std::size_t rows_of(const Dialog::Line& line, float width) {
 
 }  // namespace
 
-Dialog::Dialog(std::string title, std::vector<Line> lines, std::vector<std::string> buttons)
-    : title_(std::move(title)), lines_(std::move(lines)), buttons_(std::move(buttons), 0) {}
+Dialog::Dialog(std::string title, std::vector<Line> lines, const std::vector<Button>& buttons)
+    : title_(std::move(title)),
+      lines_(std::move(lines)),
+      buttons_(std::vector<std::string>(buttons.size()), 0) {
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    buttons_.relabel(i, buttons[i].label);
+    buttons_.explain(i, buttons[i].tip);
+  }
+}
 
 void Dialog::resize(const View& view) {
   const float panel_width =

@@ -20,8 +20,12 @@ class Dialog {
     std::optional<std::array<std::string, 2>> columns{};
     bool heads = false;  ///< of a row: the columns are the players' names
   };
+  struct Button {
+    std::string label;
+    std::string tip;
+  };
   /// The first button is the primary one; Esc means the last.
-  Dialog(std::string title, std::vector<Line> lines, std::vector<std::string> buttons);
+  Dialog(std::string title, std::vector<Line> lines, const std::vector<Button>& buttons);
 
   void resize(const View& view);
   /// The button chosen, if any.

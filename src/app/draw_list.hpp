@@ -33,6 +33,7 @@ struct Box {
   // Of a button.
   bool focused = false;  ///< Enter and Space press it
   bool primary = false;  ///< Enter presses it as long as none has the focus
+  std::string tip{};     ///< what it does
 };
 
 /// What a button does, for who points at it.

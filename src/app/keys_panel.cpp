@@ -19,6 +19,9 @@ KeysPanel::KeysPanel(const Words& words, Keyboard& keyboard)
     : words_(words),
       keyboard_(keyboard),
       buttons_(std::vector<std::string>(all_commands.size() + 2)) {
+  for (std::size_t i = 0; i < all_commands.size(); ++i) buttons_.explain(i, words_(Text::tip_key));
+  buttons_.explain(all_commands.size(), words_(Text::tip_defaults));
+  buttons_.explain(all_commands.size() + 1, words_(Text::tip_close_help));
   relabel();
 }
 

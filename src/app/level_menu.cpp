@@ -1,5 +1,7 @@
 #include "app/level_menu.hpp"
 
+#include <algorithm>
+
 #include "app/label.hpp"
 #include "app/landscape.hpp"
 #include "app/level_view.hpp"
@@ -90,6 +92,7 @@ void LevelMenu::show_page(std::size_t page) {
   labels.push_back(words_(Text::title_button));
   buttons_ = Buttons(std::move(labels));
   buttons_.set_columns(columns_);
+  for (std::size_t i = 0; i < cards(); ++i) buttons_.explain(i, about(first() + i));
   for (std::size_t i = cards(); i + 2 < buttons_.size(); ++i)
     buttons_.explain(i, words_(Text::tip_page));
   buttons_.explain(buttons_.size() - 2, words_(Text::tip_practice_levels));
@@ -149,13 +152,22 @@ Transition LevelMenu::choose(std::size_t button) {
   return Transition::stay;
 }
 
-/// What the line below says: the whole of a broken level's error, a trouble, or what to do.
+/// What a card's tip says: what is to be done, or the whole of a broken level's error.
+std::string LevelMenu::about(std::size_t index) const {
+  const Level& level = campaign_.levels[index];
+  if (!level.scene) return words_(Text::hint_broken_level, {level.problem});
+  const carom::Scene& scene = level.scene.value();
+  return words_(Text::tip_level, {words_.number(static_cast<int>(std::ranges::count(
+                                      scene.balls, carom::Role::enemy, &carom::Ball::role))),
+                                  words_.number(scene.throws)});
+}
+
+/// What the line below says: of a card, a trouble, or what to do.
 std::string LevelMenu::notice() const {
   std::optional<std::size_t> level = told_;
   for (std::size_t i = 0; i < cards(); ++i)
     if (buttons_.hovered(i) || buttons_.focused(i)) level = first() + i;
-  if (level && !campaign_.levels[*level].scene)
-    return words_(Text::hint_broken_level, {campaign_.levels[*level].problem});
+  if (level) return about(*level);
   if (campaign_.practice) return words_(Text::hint_practice_levels);
   switch (campaign_.best.trouble()) {
     case BestScores::Trouble::set_aside:

@@ -28,6 +28,7 @@ class LevelMenu final : public Screen {
   Transition choose(std::size_t button);
   void draw_card(Canvas& canvas, std::size_t button) const;
   static void draw_picture(Canvas& canvas, const Rect& area, const carom::Scene& level);
+  std::string about(std::size_t index) const;
   std::string notice() const;
 
   Words words_;

@@ -30,6 +30,7 @@ LoadScreen::LoadScreen(const Words& words, Session& session)
 }
 
 void LoadScreen::resize(const View& view) {
+  buttons_.explain(0, words_(Text::tip_title));
   panel_ = centered(view.area().center(), std::min(view.px(480), view.width - view.px(16)),
                     view.px(200));
   buttons_.place(

@@ -65,6 +65,8 @@ void ReplayList::show_page(std::size_t page) {
   labels.push_back(words_(Text::paste));
   labels.push_back(words_(Text::title_button));
   buttons_ = Buttons(std::move(labels));
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    buttons_.explain(i, entries_[i].replay ? words_(Text::tip_watch) : fault(entries_[i]));
   for (std::size_t i = entries_.size(); i + 2 < buttons_.size(); ++i)
     buttons_.explain(i, words_(Text::tip_page));
   buttons_.explain(buttons_.size() - 2, words_(Text::tip_paste));

@@ -357,13 +357,30 @@ std::string SettingsScreen::value_of(Setting setting) const {
   return {};
 }
 
+/// What a control is for; a page, what it has.
+std::string SettingsScreen::tip(Control control) const {
+  if (control == close()) return words_(Text::tip_close_help);
+  if (const auto setting = setting_of(control)) return about(*setting);
+  std::string all;
+  for (std::size_t i = 0; i < all_pages[control].count; ++i)
+    all += (i == 0 ? "" : " · ") + label_of(all_pages[control].settings[i]);
+  return all;
+}
+
 std::string SettingsScreen::hint() const {
   for (const auto& control : {hovered_, focused_})
-    if (control)
-      if (const auto setting = setting_of(*control)) return about(*setting);
+    if (control && *control < controls()) return tip(*control);
   return words_(session_.settings.trouble() == KeptSettings::Trouble::not_kept
                     ? Text::settings_not_kept
                     : Text::hint_settings);
+}
+
+void SettingsScreen::list_box(DrawList& list, Control control, std::string text) const {
+  list.boxes.push_back({.kind = Box::Kind::button,
+                        .area = box_of(control),
+                        .text = std::move(text),
+                        .focused = focused_ == control,
+                        .tip = tip(control)});
 }
 
 void SettingsScreen::draw(Canvas& canvas) const {
@@ -381,7 +398,7 @@ void SettingsScreen::draw_close(Canvas& canvas) const {
   const std::string text = words_(Text::close);
   label(canvas, close_.inset(canvas.px(8), 0), {Face::bold, 18, palette::cream, Align::center},
         text);
-  canvas.list.boxes.push_back({Box::Kind::button, close_, text, 0});
+  list_box(canvas.list, close(), text);
 }
 
 void SettingsScreen::draw_page_button(Canvas& canvas, std::size_t page) const {
@@ -392,7 +409,7 @@ void SettingsScreen::draw_page_button(Canvas& canvas, std::size_t page) const {
   const std::string text = words_(all_pages[page].title);
   label(canvas, box.inset(canvas.px(4), 0),
         {Face::bold, 18, shown ? palette::ink : palette::cream, Align::center}, text);
-  canvas.list.boxes.push_back({Box::Kind::button, box, text, 0});
+  list_box(canvas.list, page, text);
 }
 
 void SettingsScreen::draw_line(Canvas& canvas, Control control) const {
@@ -430,7 +447,7 @@ void SettingsScreen::draw_line(Canvas& canvas, Control control) const {
     const TextStyle style{Face::regular, 18, palette::brass_lit, Align::center};
     label(canvas, right, style, elided(canvas, style, value, right.w));
   }
-  canvas.list.boxes.push_back({Box::Kind::button, whole, name + '\n' + value, 0});
+  list_box(canvas.list, control, name + '\n' + value);
 }
 
 bool SettingsScreen::typing() const {

@@ -68,7 +68,9 @@ class SettingsScreen final : public Screen {
   std::string label_of(Setting setting) const;
   std::string value_of(Setting setting) const;
   std::string about(Setting setting) const;
+  std::string tip(Control control) const;
   std::string hint() const;
+  void list_box(DrawList& list, Control control, std::string text) const;
 
   void draw_page_button(Canvas& canvas, std::size_t page) const;
   void draw_line(Canvas& canvas, Control control) const;

@@ -93,7 +93,7 @@ Text TitleScreen::tip_of(Choice choice) {
     case Choice::settings:
       return Text::tip_settings;
     case Choice::open_file:
-      return Text::open_file;
+      return Text::tip_open;
     case Choice::quit:
       break;
   }
@@ -211,11 +211,12 @@ Transition TitleScreen::choose(Choice choice) {
   const std::string line = table ? words_(Text::kept_billiards, {words_.number(kept.score[0]),
                                                                  words_.number(kept.score[1])})
                                  : kept_level();
-  question_ =
-      Question{Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
-                      {words_(Text::continue_game),
-                       words_(table ? Text::new_game : Text::other_level), words_(Text::cancel)}),
-               choice};
+  question_ = Question{
+      Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
+             {{words_(Text::continue_game), words_(Text::tip_continue)},
+              {words_(table ? Text::new_game : Text::other_level), words_(Text::tip_give_up)},
+              {words_(Text::cancel), words_(Text::tip_close_help)}}),
+      choice};
   question_->dialog.resize(view_);
   return Transition::stay;
 }
@@ -272,8 +273,9 @@ void TitleScreen::tell_refused() {
     } else {
       lines.push_back({words_(Text::settings_blocked), {}, {}});
     }
-    question_ =
-        Question{Dialog(words_(Text::settings_broken), std::move(lines), {words_(Text::ok)}), {}};
+    question_ = Question{Dialog(words_(Text::settings_broken), std::move(lines),
+                                {{words_(Text::ok), words_(Text::tip_close_help)}}),
+                         {}};
     question_->dialog.resize(view_);
     return;
   }
@@ -288,13 +290,14 @@ void TitleScreen::tell_refused() {
   }
   question_ = Question{Dialog(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
                                                                       : Text::kept_refused_level),
-                              std::move(lines), {words_(Text::ok)}),
+                              std::move(lines), {{words_(Text::ok), words_(Text::tip_close_help)}}),
                        {}};
   question_->dialog.resize(view_);
 }
 
 void TitleScreen::tell(const std::string& title, const std::string& line) {
-  question_ = Question{Dialog(title, {{line, {}, {}}}, {words_(Text::ok)}), {}};
+  question_ = Question{
+      Dialog(title, {{line, {}, {}}}, {{words_(Text::ok), words_(Text::tip_close_help)}}), {}};
   question_->dialog.resize(view_);
 }
 

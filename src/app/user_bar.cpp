@@ -97,8 +97,7 @@ void UserBar::draw_strip(Canvas& canvas) const {
   buttons_.draw_one(canvas, close, 16);
   const Buttons::Look look = buttons_.draw_face(canvas, settings);
   draw_gear(canvas.list, look.box.center(), canvas.px(11), look.ink, palette::panel_lit);
-  canvas.list.boxes.push_back(
-      {Box::Kind::button, buttons_.box(settings), buttons_.label_of(settings), 0});
+  buttons_.list_box(canvas.list, settings, buttons_.label_of(settings));
 }
 
 void UserBar::draw_count(Canvas& canvas, const Rect& box, std::string_view value,

@@ -160,7 +160,8 @@ void Buttons::list_box(DrawList& list, std::size_t index, std::string text) cons
                         .area = box(index),
                         .text = std::move(text),
                         .focused = focused(index),
-                        .primary = primary_ == index});
+                        .primary = primary_ == index,
+                        .tip = buttons_[index].tip});
 }
 
 }  // namespace app

@@ -39,6 +39,13 @@ struct Player : platform::NullPlatform {
     ASSERT_TRUE(found) << "no button " << text << " in " << title();
     click(area.center());
   }
+  /// By a finger, if it `touches`.
+  void click(app::Point at, app::PointerButton button = app::PointerButton::left) {
+    if (!touches) return NullPlatform::click(at, button);
+    app().event(app::Finger{1, app::Finger::Phase::down, at});
+    app().event(app::Finger{1, app::Finger::Phase::up, at});
+  }
+  bool touches = false;
   void key(app::Key key) { app().event(app::KeyPressed{key}); }
   /// Lets time pass until the title says so.
   void wait_for(std::string_view text) {
