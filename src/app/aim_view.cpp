@@ -239,7 +239,7 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& 
     rest.cut_left(box.w + canvas.px(12));
     Buttons button({words(Text::shoot)}, 0);
     button.explain(0, words(Text::tip_shoot));
-    button.place(0, box);
+    button.place(canvas.view, 0, box);
     button.draw(canvas, 18);
   }
   label(canvas, rest, {Face::regular, 18, color, Align::center}, hint);

@@ -77,13 +77,13 @@ void AngryBallsScreen::place_parts() {
   if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view_);
   if (auto* offered = std::get_if<NextOffered>(&state_)) {
     const Rect& world = layout_.world;
-    const float height = view_.px(48);
+    const float height = view_.button(48);
     const Point middle{world.center().x, world.y + view_.px(16) + height / 2};
     offered->prompt.relabel(0, next_label());
     offered->prompt.explain(0,
                             words_(game().throws_left() > 0 ? Text::tip_next : Text::tip_finish));
     offered->prompt.place(
-        0, centered(middle, std::min(view_.px(300), world.w - view_.px(32)), height));
+        view_, 0, centered(middle, std::min(view_.px(300), world.w - view_.px(32)), height));
   }
 }
 

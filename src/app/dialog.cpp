@@ -56,7 +56,8 @@ void Dialog::resize(const View& view) {
   const std::size_t rows = (buttons_.size() + columns - 1) / columns;
   buttons_.set_columns(columns);
   const float space = view.px(gap);
-  const float buttons_height = static_cast<float>(rows) * (view.px(button_height) + space) - space;
+  const float height = view.button(button_height);
+  const float buttons_height = static_cast<float>(rows) * (height + space) - space;
   const float rest = view.px(2 * padding + title_height + 2 * gap) + buttons_height;
   std::size_t text_rows = 0;
   for (const Line& line : lines_) text_rows += rows_of(line, inner);
@@ -72,10 +73,10 @@ void Dialog::resize(const View& view) {
   Rect row;
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     if (i % columns == 0) {
-      row = area.cut_top(view.px(button_height));
+      row = area.cut_top(height);
       area.cut_top(space);
     }
-    buttons_.place(i, row.cut_left(width));
+    buttons_.place(view, i, row.cut_left(width));
     row.cut_left(space);
   }
 }

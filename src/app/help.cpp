@@ -55,16 +55,16 @@ void Help::resize(const View& view) {
   if (panel_) panel_->resize(view, rest);
   head_ = rest.cut_top(view.px(44));
   page_label_ = head_.cut_right(view.px(120));
-  Rect row = rest.cut_bottom(view.px(button_height));
+  Rect row = rest.cut_bottom(view.button(button_height));
   const float gap = view.px(8);
   for (const auto& [button, width] : {std::pair{previous, 56.0f}, {next, 56.0f}}) {
-    pager_.place(button, row.cut_left(view.px(width)));
+    pager_.place(view, button, row.cut_left(view.px(width)));
     row.cut_left(gap);
   }
   const float half = std::min((row.w - gap) / 2, view.px(150));
-  buttons_.place(close, row.cut_right(half));
+  buttons_.place(view, close, row.cut_right(half));
   row.cut_right(gap);
-  buttons_.place(keys, row.cut_right(half));
+  buttons_.place(view, keys, row.cut_right(half));
   lay_out();
 }
 
@@ -73,7 +73,7 @@ void Help::lay_out() {
   lines_.clear();
   Rect area = frame_.inset(view_.px(16), view_.px(10));
   area.cut_top(view_.px(44));
-  area.cut_bottom(view_.px(button_height + 8));
+  area.cut_bottom(view_.button(button_height) + view_.px(8));
   const float gap = view_.px(column_gap);
   const auto columns =
       static_cast<std::size_t>(std::max((area.w + gap) / (view_.px(least_column) + gap), 1.0f));

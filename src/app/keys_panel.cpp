@@ -39,16 +39,17 @@ void KeysPanel::resize(const View& view, const Rect& area) {
   Rect rest = centered(area.center(), std::min(area.w, view.px(440)), area.h);
   head_ = rest.cut_top(view.px(48));
   const float gap = view.px(10);
-  Rect ends = rest.cut_bottom(view.px(48));
+  Rect ends = rest.cut_bottom(view.button(48));
   rest.cut_bottom(gap);
   foot_ = rest.cut_bottom(view.px(28));
   // In a low window the lines move together.
-  const float pitch = std::min(view.px(56), rest.h / static_cast<float>(all_commands.size()));
+  const float pitch =
+      std::min(view.button(48) + view.px(8), rest.h / static_cast<float>(all_commands.size()));
   for (std::size_t i = 0; i < all_commands.size(); ++i)
-    buttons_.place(i, rest.cut_top(pitch).inset(0, view.px(4)));
-  buttons_.place(all_commands.size(), ends.cut_left((ends.w - gap) / 2));
+    buttons_.place(view, i, rest.cut_top(pitch).inset(0, view.px(view.touch ? 2 : 4)));
+  buttons_.place(view, all_commands.size(), ends.cut_left((ends.w - gap) / 2));
   ends.cut_left(gap);
-  buttons_.place(all_commands.size() + 1, ends);
+  buttons_.place(view, all_commands.size() + 1, ends);
 }
 
 bool KeysPanel::event(const Input& input) {

@@ -35,9 +35,9 @@ void LevelMenu::resize(const View& view) {
   // Where both do not fit beside each other, the heading stands over its buttons.
   const bool alone = view.width < view.px(phone_width);
   heading_ = alone ? rest.cut_top(view.px(44)) : Rect();
-  head_ = rest.cut_top(view.px(52));
+  head_ = rest.cut_top(view.button(44) + 2 * view.px(4));
   rest.cut_top(view.px(4));
-  foot_ = rest.cut_bottom(view.px(view.narrow() ? 84 : 48));
+  foot_ = rest.cut_bottom(view.button(40) + view.px(view.narrow() ? 44 : 8));
   rest.cut_bottom(view.px(8));
   grid_ = rest;
 
@@ -102,23 +102,24 @@ void LevelMenu::show_page(std::size_t page) {
   for (std::size_t i = 0; i < cards(); ++i) {
     const std::size_t row = i / columns_;
     buttons_.place(
-        i, {std::round(grid_.x + static_cast<float>(i % columns_) * (card_.w + space)),
-            std::round(grid_.y + static_cast<float>(row) * (card_.h + space)), card_.w, card_.h});
+        view_, i,
+        {std::round(grid_.x + static_cast<float>(i % columns_) * (card_.w + space)),
+         std::round(grid_.y + static_cast<float>(row) * (card_.h + space)), card_.w, card_.h});
   }
   Rect head = head_.inset(0, view_.px(4));
   const float width = view_.px(button_width);
   const std::size_t after = cards() + (several ? 2 : 0);
-  buttons_.place(after + 1, head.cut_right(width));
+  buttons_.place(view_, after + 1, head.cut_right(width));
   head.cut_right(space);
-  buttons_.place(after, head.cut_right(view_.px(practice_width)));
+  buttons_.place(view_, after, head.cut_right(view_.px(practice_width)));
   if (!several) return;
   Rect foot = foot_;
-  Rect paging = view_.narrow() ? foot.cut_bottom(view_.px(44))
+  Rect paging = view_.narrow() ? foot.cut_bottom(view_.button(40) + 2 * view_.px(2))
                                : foot.cut_right(std::min(view_.px(380), foot.w));
   foot_ = foot;
   paging = paging.inset(0, view_.px(2));
-  buttons_.place(cards(), paging.cut_left(width));
-  buttons_.place(cards() + 1, paging.cut_right(width));
+  buttons_.place(view_, cards(), paging.cut_left(width));
+  buttons_.place(view_, cards() + 1, paging.cut_right(width));
   page_label_ = paging;
 }
 

@@ -34,7 +34,8 @@ void LoadScreen::resize(const View& view) {
   panel_ = centered(view.area().center(), std::min(view.px(480), view.width - view.px(16)),
                     view.px(200));
   buttons_.place(
-      0, centered({panel_.center().x, panel_.bottom() - view.px(56)}, view.px(200), view.px(48)));
+      view, 0,
+      centered({panel_.center().x, panel_.bottom() - view.px(56)}, view.px(200), view.button(48)));
 }
 
 Transition LoadScreen::event(const Input& input) {

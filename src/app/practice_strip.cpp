@@ -42,7 +42,7 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
   for (std::size_t i = 0; i < shares.size(); ++i) {
     buttons_.relabel(i, words_(labels[i]));
     buttons_.explain(i, words_(tips[i]));
-    buttons_.place(i, row.cut_left(room * shares[i]));
+    buttons_.place(view, i, row.cut_left(room * shares[i]));
     row.cut_left(gap);
   }
 }

@@ -33,12 +33,12 @@ void ReplayList::resize(const View& view) {
   view_ = view;
   Rect rest = view.area().inset(view.px(margin), view.px(4));
   rest = centered(rest.center(), std::min(rest.w, view.px(most_width)), rest.h);
-  head_ = rest.cut_top(view.px(52));
+  head_ = rest.cut_top(view.button(44) + 2 * view.px(4));
   rest.cut_top(view.px(8));
-  foot_ = rest.cut_bottom(view.px(view.narrow() ? 92 : 52));
+  foot_ = rest.cut_bottom(view.button(40) + view.px(view.narrow() ? 52 : 12));
   rest.cut_bottom(view.px(8));
   rows_ = rest;
-  const float pitch = view.px((view.narrow() ? high_row : row_height) + row_gap);
+  const float pitch = view.button(view.narrow() ? high_row : row_height) + view.px(row_gap);
   per_page_ = static_cast<std::size_t>(std::max((rows_.h + view.px(row_gap)) / pitch, 1.0f));
   show_page(std::min(first / per_page_, pages() - 1));
 }
@@ -74,22 +74,22 @@ void ReplayList::show_page(std::size_t page) {
 
   Rect rows = rows_;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    buttons_.place(i, rows.cut_top(view_.px(view_.narrow() ? high_row : row_height)));
+    buttons_.place(view_, i, rows.cut_top(view_.button(view_.narrow() ? high_row : row_height)));
     rows.cut_top(view_.px(row_gap));
   }
   Rect head = head_.inset(0, view_.px(4));
   const float width = view_.px(button_width);
-  buttons_.place(buttons_.size() - 1, head.cut_right(width));
+  buttons_.place(view_, buttons_.size() - 1, head.cut_right(width));
   head.cut_right(view_.px(row_gap));
-  buttons_.place(buttons_.size() - 2, head.cut_right(width));
+  buttons_.place(view_, buttons_.size() - 2, head.cut_right(width));
   page_label_ = {};
   if (!several) return;
   Rect foot = foot_;
-  Rect paging = view_.narrow() ? foot.cut_bottom(view_.px(44))
+  Rect paging = view_.narrow() ? foot.cut_bottom(view_.button(40) + 2 * view_.px(2))
                                : foot.cut_right(std::min(view_.px(380), foot.w));
   paging = paging.inset(0, view_.px(2));
-  buttons_.place(entries_.size(), paging.cut_left(width));
-  buttons_.place(entries_.size() + 1, paging.cut_right(width));
+  buttons_.place(view_, entries_.size(), paging.cut_left(width));
+  buttons_.place(view_, entries_.size() + 1, paging.cut_right(width));
   page_label_ = paging;
 }
 
@@ -174,7 +174,7 @@ void ReplayList::draw(Canvas& canvas) const {
   Rect foot = foot_;
   if (pages() > 1) {
     if (view_.narrow())
-      foot.cut_bottom(canvas.px(44));
+      foot.cut_bottom(view_.button(40) + 2 * canvas.px(2));
     else
       foot.cut_right(std::min(canvas.px(380), foot.w) + canvas.px(row_gap));
   }

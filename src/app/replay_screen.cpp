@@ -1,6 +1,7 @@
 #include "app/replay_screen.hpp"
 
 #include <array>
+#include <numeric>
 
 #include "app/game_effects.hpp"
 #include "app/game_sounds.hpp"
@@ -66,16 +67,17 @@ void ReplayScreen::resize(const View& view) {
   const bool narrow = view.narrow();
   const float gap = view.px(6);
   Rect rest = view.area();
-  top_ = rest.cut_top(view.px(narrow ? 100 : 64));
-  bottom_ = rest.cut_bottom(view.px(tight(view) ? 138 : 124));
+  const float height = view.button(40);
+  top_ = rest.cut_top(height + view.px(narrow ? 60 : 24));
+  bottom_ = rest.cut_bottom(height + view.px(tight(view) ? 98 : 84));
   world_ = rest;
 
   const float width = view.px(narrow ? 760 : 1120);
   Rect top = centered(top_.center(), std::min(top_.w, width), top_.h).inset(view.px(8));
-  Rect commands = narrow ? top.cut_bottom(view.px(40)) : top.cut_right(view.px(336));
+  Rect commands = narrow ? top.cut_bottom(height) : top.cut_right(view.px(336));
   for (const Button button : {keep, copy_text, close}) {
     const auto left = static_cast<float>(close - button + 1);
-    buttons_.place(button, commands.cut_left((commands.w - gap * (left - 1)) / left));
+    buttons_.place(view, button, commands.cut_left((commands.w - gap * (left - 1)) / left));
     commands.cut_left(gap);
   }
   if (!narrow) top.cut_right(gap * 2);
@@ -87,11 +89,15 @@ void ReplayScreen::resize(const View& view) {
                     .inset(view.px(8), view.px(6));
   timeline_ = bottom.cut_top(view.px(24));
   bottom.cut_top(view.px(8));
-  Rect row = bottom.cut_top(view.px(40));
+  Rect row = bottom.cut_top(height);
   bottom.cut_top(view.px(4));
   hint_ = bottom.cut_bottom(view.px(26));
   const float between = std::min(gap, row.w * 0.008f);
-  const float wanted = view.px(76 + 84 + 64 + 76 + 44 + 52 + 44) + 6 * between;
+  // For fingers the least ones are wider, at the cost of the others.
+  constexpr std::array plain{76.0f, 84.0f, 64.0f, 76.0f, 44.0f, 52.0f, 44.0f};
+  constexpr std::array fingers{71.0f, 76.0f, 59.0f, 71.0f, 54.0f, 45.0f, 54.0f};
+  const auto& widths = view.touch ? fingers : plain;
+  const float wanted = view.px(std::accumulate(widths.begin(), widths.end(), 0.0f)) + 6 * between;
   // On a phone all of them are narrower together.
   const float part = std::min(1.0f, (row.w - 6 * between) / (wanted - 6 * between));
   const float controls_width = std::min(wanted, row.w);
@@ -112,13 +118,13 @@ void ReplayScreen::resize(const View& view) {
     row.cut_left(between);
     return box;
   };
-  buttons_.place(previous, next(76));
-  buttons_.place(play, next(84));
-  buttons_.place(one, next(64));
-  buttons_.place(following, next(76));
-  buttons_.place(slower, next(44));
-  speed_label_ = next(52);
-  buttons_.place(faster, next(44));
+  buttons_.place(view, previous, next(widths[0]));
+  buttons_.place(view, play, next(widths[1]));
+  buttons_.place(view, one, next(widths[2]));
+  buttons_.place(view, following, next(widths[3]));
+  buttons_.place(view, slower, next(widths[4]));
+  speed_label_ = next(widths[5]);
+  buttons_.place(view, faster, next(widths[6]));
 
   const carom::Scene& scene = replay::world(player_.game()).scene();
   viewport_ = player_.replay().level

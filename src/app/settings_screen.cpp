@@ -106,17 +106,20 @@ void SettingsScreen::resize(const View& view) {
   stacked_ = view.width < view.px(stacked_below) && view.height > view.width;
   Rect rest = view.area();
   const float gap = view.px(line_gap);
-  const float height = view.px(stacked_ ? stacked_height : line_height);
-  const float whole = view.px(48 + 44 + hint_height + 2 * 8) + most_lines * height + 9 * gap;
+  const float height = view.button(stacked_ ? stacked_height : line_height);
+  const float tab = view.button(44);
+  const float head_height = tab + view.px(4);
+  const float whole =
+      head_height + tab + view.px(hint_height + 2 * 8) + most_lines * height + 9 * gap;
   rest = centered(rest.center(), std::min(rest.w, view.px(most_width)), std::min(rest.h, whole))
              .inset(view.px(12), view.px(8));
   arrow_ = std::min(view.px(arrow_width), rest.w / 4);
-  Rect head = rest.cut_top(view.px(48));
+  Rect head = rest.cut_top(head_height);
   close_ = head.cut_right(view.px(112)).inset(0, view.px(2));
   head.cut_right(gap);
   title_ = head;
   rest.cut_top(gap);
-  Rect row = rest.cut_top(view.px(44));
+  Rect row = rest.cut_top(tab);
   const float width = (row.w - gap * static_cast<float>(pages - 1)) / static_cast<float>(pages);
   for (Rect& box : page_boxes_) {
     box = row.cut_left(width);

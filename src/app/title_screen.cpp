@@ -152,7 +152,9 @@ void TitleScreen::resize(const View& view) {
   const float pitch = offered == 0 ? 66.0f : offered == 1 ? 57.0f : 50.0f;
   const float height = pitch - (offered == 0 ? 12.0f : 9.0f);
   const float unit = std::min(view.scale, words.h / 448);
-  wordmark_ = words.cut_top(unit * (398 - pitch * static_cast<float>(3 + offered)));
+  const float high = std::max(unit * height, view.touch ? view.button(0) : 0);
+  const float step = std::max(unit * pitch, high + view.px(4));
+  wordmark_ = words.cut_top(std::max(unit * 398 - step * static_cast<float>(3 + offered), 0.0f));
   words.cut_top(unit * 4);
   tagline_ = words.cut_top(unit * 32);
   words.cut_top(unit * 20);
@@ -160,8 +162,8 @@ void TitleScreen::resize(const View& view) {
   const float left = tall ? words.center().x - width / 2 : words.x;
   Rect row;
   const auto next_row = [&] {
-    row = {left, words.y, width, unit * height};
-    words.cut_top(unit * pitch);
+    row = {left, words.y, width, high};
+    words.cut_top(step);
   };
   const float gap = view.px(8);
   for (std::size_t i = 0; i < choices_.size(); ++i) {
@@ -173,10 +175,10 @@ void TitleScreen::resize(const View& view) {
                         choices_[i] == Choice::open_file || choices_[i] == Choice::quit;
     if (second) {
       row.cut_left(gap);
-      buttons_.place(i, row);
+      buttons_.place(view, i, row);
     } else {
       next_row();
-      buttons_.place(i, alone ? row : row.cut_left(row.w * 0.58f));
+      buttons_.place(view, i, alone ? row : row.cut_left(row.w * 0.58f));
     }
   }
 }

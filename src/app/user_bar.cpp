@@ -52,18 +52,19 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   if (view.touch && view.wide()) {
     for (const auto& [index, width] :
          {std::pair{close, 104.0f}, {restart, 136.0f}, {settings, touch_gear_width}}) {
-      buttons_.place(index, rest.cut_right(view.px(width)));
+      buttons_.place(view, index, rest.cut_right(view.px(width)));
       rest.cut_right(gap);
     }
     return {rest, {}};
   }
   if (!view.narrow()) {
     Rect column = rest.cut_right(view.px(view.touch ? 140 : 128));
-    buttons_.place(restart, column.cut_top((column.h - gap / 2) / 2));
+    buttons_.place(view, restart, column.cut_top((column.h - gap / 2) / 2));
     column.cut_top(gap / 2);
-    buttons_.place(settings, column.cut_right(view.px(view.touch ? touch_gear_width : gear_width)));
+    buttons_.place(view, settings,
+                   column.cut_right(view.px(view.touch ? touch_gear_width : gear_width)));
     column.cut_right(gap / 2);
-    buttons_.place(close, column);
+    buttons_.place(view, close, column);
     rest.cut_right(gap);
     return {rest, {}};
   }
@@ -76,7 +77,7 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   for (const auto& [index, width] : {std::pair{close, phone ? rest.w * 0.2f : button},
                                      {restart, phone ? rest.w * 0.285f : button},
                                      {settings, gear}}) {
-    buttons_.place(index, rest.cut_right(width).inset(0, trim));
+    buttons_.place(view, index, rest.cut_right(width).inset(0, trim));
     rest.cut_right(gap);
   }
   return {row, rest};

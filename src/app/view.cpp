@@ -7,7 +7,7 @@ View View::of(int width, int height, float density) {
   const auto h = static_cast<float>(height);
   // Below 0.875 the smallest text, 16 units, would come out under 14 points.
   const float scale = std::clamp(std::min(w / 800, h / 600), 0.875f * density, 8.0f);
-  return {w, h, scale, false};
+  return {w, h, scale, false, density};
 }
 
 GameLayout GameLayout::of(const View& view) {

@@ -23,11 +23,10 @@ std::optional<std::size_t> Buttons::find(Point at) const {
 /// The nearest one that a finger there can mean.
 std::optional<std::size_t> Buttons::touched(Point at) const {
   std::optional<std::size_t> nearest;
-  float least = finger_target;
+  float least = finger_;
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     const Rect& box = buttons_[i].box;
-    const Rect target =
-        centered(box.center(), std::max(box.w, finger_target), std::max(box.h, finger_target));
+    const Rect target = centered(box.center(), std::max(box.w, finger_), std::max(box.h, finger_));
     const Point inside{std::clamp(at.x, box.x, box.right()), std::clamp(at.y, box.y, box.bottom())};
     const float away = length(at - inside);
     if (!target.contains(at) || away >= least) continue;

@@ -11,9 +11,6 @@
 
 namespace app {
 
-/// Px, each way.
-inline constexpr float finger_target = 44;
-
 /// Buttons that share the keyboard's focus. A button acts when it is released over itself, or by
 /// Enter or Space when it has the focus. A finger need not be exact: a small button takes what is
 /// around it, up to finger_target.
@@ -23,7 +20,10 @@ class Buttons {
   explicit Buttons(std::vector<std::string> labels, std::optional<std::size_t> primary = {});
 
   std::size_t size() const { return buttons_.size(); }
-  void place(std::size_t index, const Rect& box) { buttons_[index].box = box; }
+  void place(const View& view, std::size_t index, const Rect& box) {
+    buttons_[index].box = box;
+    finger_ = finger_target * view.density;
+  }
 
   void relabel(std::size_t index, std::string label) { buttons_[index].label = std::move(label); }
   /// What the button does, in some words: shown as long as it is pointed at or has the focus.
@@ -77,6 +77,7 @@ class Buttons {
 
   std::vector<Button> buttons_;
   std::optional<std::size_t> primary_;
+  float finger_ = finger_target;  ///< px
   std::size_t columns_ = 1;
   std::optional<std::size_t> hovered_;
   std::optional<std::size_t> pressed_;

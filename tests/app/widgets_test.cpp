@@ -10,8 +10,8 @@ using app::Key;
 class ButtonsTest : public testing::Test {
  protected:
   ButtonsTest() {
-    buttons.place(0, {0, 0, 100, 40});
-    buttons.place(1, {0, 50, 100, 40});
+    buttons.place({}, 0, {0, 0, 100, 40});
+    buttons.place({}, 1, {0, 50, 100, 40});
   }
   auto press(app::Point at) { return buttons.event(app::PointerPressed{at}); }
   auto release(app::Point at) { return buttons.event(app::PointerReleased{at}); }
@@ -74,8 +74,8 @@ TEST_F(ButtonsTest, TheRightButtonPressesNothing) {
 }
 
 TEST_F(ButtonsTest, AFingerNeedNotBeExact) {
-  buttons.place(0, {0, 0, 20, 20});
-  buttons.place(1, {30, 0, 20, 20});
+  buttons.place({}, 0, {0, 0, 20, 20});
+  buttons.place({}, 1, {30, 0, 20, 20});
   const auto tap = [&](app::Point at) {
     buttons.event(app::PointerPressed{at, app::PointerButton::left, true});
     return release(at);
@@ -86,6 +86,10 @@ TEST_F(ButtonsTest, AFingerNeedNotBeExact) {
   EXPECT_EQ(tap({26, 10}), 1u);
   press({10, 31});
   EXPECT_FALSE(release({10, 31})) << "a mouse is exact";
+  // On a fine display the same finger covers more pixels.
+  buttons.place(app::View::of(1200, 800, 3), 0, {0, 0, 20, 20});
+  EXPECT_EQ(tap({10, 75}), 0u);
+  EXPECT_FALSE(tap({10, 77}));
 }
 
 TEST_F(ButtonsTest, WhatIsTakenBackPressesNothing) {
