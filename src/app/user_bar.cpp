@@ -49,7 +49,7 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   const float gap = view.px(8);
   // In a very wide window everything stays together in the middle.
   Rect rest = centered(area.center(), std::min(area.w, view.px(1120)), area.h).inset(gap);
-  if (view.touch && view.wide()) {
+  if (view.wide()) {
     for (const auto& [index, width] :
          {std::pair{close, 104.0f}, {restart, 136.0f}, {settings, touch_gear_width}}) {
       buttons_.place(view, index, rest.cut_right(view.px(width)));
@@ -94,10 +94,11 @@ void UserBar::draw_strip(Canvas& canvas) const {
                Paint::vertical(area_, palette::slate_top, palette::slate_bottom));
   line(canvas.list, {area_.x, area_.bottom()}, {area_.right(), area_.bottom()}, canvas.px(1),
        palette::brass_dark);
-  buttons_.draw_one(canvas, restart, 16);
-  buttons_.draw_one(canvas, close, 16);
+  const bool large = buttons_.box(restart).h > canvas.px(56);
+  for (const Button button : {restart, close}) buttons_.draw_one(canvas, button, large ? 20 : 16);
   const Buttons::Look look = buttons_.draw_face(canvas, settings);
-  draw_gear(canvas.list, look.box.center(), canvas.px(11), look.ink, palette::panel_lit);
+  draw_gear(canvas.list, look.box.center(), canvas.px(large ? 15 : 11), look.ink,
+            palette::panel_lit);
   buttons_.list_box(canvas.list, settings, buttons_.label_of(settings));
 }
 

@@ -599,6 +599,31 @@ TEST_P(Layout, GamesKeptThatAreBroken) {
   }
 }
 
+TEST(LayoutOfWideWindows, HasLargeButtonsInTheBar) {
+  for (const Size size : {Size{1920, 1080}, {1280, 720}, {2560, 1080}}) {
+    for (const bool table : {true, false}) {
+      Player game(app::Language::french, size.width, size.height);
+      const app::View view = app::View::of(size.width, size.height);
+      game.press(table ? "Billard" : "Angry Balls");
+      if (!table) game.press("Premiers pas");
+      game.pass(3s);
+      int buttons = 0;
+      for (const Box& box : game.boxes()) {
+        const bool of_bar = app::GameLayout::of(view).bar.contains(box.area.center());
+        if (of_bar && box.kind == Box::Kind::button) {
+          ++buttons;
+          EXPECT_GE(box.area.h, view.px(60)) << describe(box);
+          EXPECT_GE(box.area.w, view.px(48)) << describe(box);
+        }
+        if (box.kind == Box::Kind::text && (box.text == "Fermer" || box.text == "Menu")) {
+          EXPECT_GE(static_cast<float>(box.text_size), view.px(20)) << describe(box);
+        }
+      }
+      EXPECT_EQ(buttons, 3);
+    }
+  }
+}
+
 TEST(LayoutOfAnySize, IsSurvivedByReplays) {
   for (const Size size : {Size{1, 1}, {64, 64}, {1, 2000}, {2000, 1}, {130, 97}, {8192, 64}}) {
     for (const char* file : {"level-09-won.json", "billiards-left-in-the-middle.json"}) {
