@@ -8,6 +8,7 @@
 #include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
 #include "app/lesson.hpp"
+#include "app/level_fault.hpp"
 #include "app/level_menu.hpp"
 #include "app/links.hpp"
 #include "app/load_screen.hpp"
@@ -222,7 +223,7 @@ void App::open_link(std::string_view link) {
 void App::open_file(const std::string& name, const std::string& bytes) {
   if (auto read = replay::read_replay(bytes)) return watch(std::move(read).value());
   Level level = read_level(name, bytes);
-  if (!level.scene) return refuse(Text::file_refused, level.problem);
+  if (!level.scene) return refuse(Text::file_refused, problem_of(words_, level));
   // Kept under a name that says what is in it: the same level again is no second one.
   const std::string file = own_levels + level.identity + ".json";
   const bool kept = store_.save_new(file, bytes).ok();

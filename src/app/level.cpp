@@ -26,7 +26,7 @@ std::string identity_of(const carom::Scene& scene) {
 }  // namespace
 
 Level read_level(const std::string& file, const carom::Result<std::string>& bytes) {
-  Level level{stem(file), sound_level(bytes), {}, {}};
+  Level level{stem(file), sound_level(bytes), {}, {}, file};
   if (!level.scene) {
     level.problem = carom::to_string(level.scene.errors().front(), file);
     return level;
@@ -38,7 +38,9 @@ Level read_level(const std::string& file, const carom::Result<std::string>& byte
   return level;
 }
 
-Level level_of(const carom::Scene& scene) { return {scene.name, scene, {}, identity_of(scene)}; }
+Level level_of(const carom::Scene& scene) {
+  return {scene.name, scene, {}, identity_of(scene), {}};
+}
 
 std::vector<Level> shipped_levels() {
   std::vector<Level> levels;

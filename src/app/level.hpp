@@ -16,6 +16,7 @@ struct Level {
   std::string problem;                ///< the first error, with its place; empty if sound
   /// 16 hexadecimal digits that change with anything in the level; empty if it is not sound.
   std::string identity;
+  std::string file{};  ///< its name, for messages
 };
 
 /// `file`: its name, for messages; `bytes`: what is in it, or why it could not be read.

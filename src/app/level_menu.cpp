@@ -4,6 +4,7 @@
 
 #include "app/label.hpp"
 #include "app/landscape.hpp"
+#include "app/level_fault.hpp"
 #include "app/level_view.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
@@ -156,7 +157,7 @@ Transition LevelMenu::choose(std::size_t button) {
 /// What a card's tip says: what is to be done, or the whole of a broken level's error.
 std::string LevelMenu::about(std::size_t index) const {
   const Level& level = campaign_.levels[index];
-  if (!level.scene) return words_(Text::hint_broken_level, {level.problem});
+  if (!level.scene) return words_(Text::hint_broken_level, {problem_of(words_, level)});
   const carom::Scene& scene = level.scene.value();
   return words_(Text::tip_level, {words_.number(static_cast<int>(std::ranges::count(
                                       scene.balls, carom::Role::enemy, &carom::Ball::role))),
@@ -235,7 +236,7 @@ void LevelMenu::draw_card(Canvas& canvas, std::size_t button) const {
   } else {
     fill_rounded(list, rest, canvas.px(4), palette::slate_bottom);
     paragraph(canvas, rest.inset(canvas.px(6), canvas.px(2)), {Face::regular, 16, dim},
-              level.problem);
+              problem_of(words_, level));
   }
   const std::string number = words_.number(static_cast<int>(index) + 1);
   const TextStyle number_style{Face::black, 30, playable ? palette::brass_lit : dim, Align::center};

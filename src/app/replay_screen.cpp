@@ -243,7 +243,12 @@ void ReplayScreen::step() {
   const std::uint64_t before = player_.steps();
   const bool begins = !turns.empty() && before == turns[player_.turn()].first_step;
   motion_.record(replay::world(player_.game()));
-  if (!player_.step()) {
+  const bool was_over = replay::over(player_.game());
+  const bool went_on = player_.step();
+  const auto* level = std::get_if<games::angry_balls::Game>(&player_.game());
+  if (!was_over && level && level->phase() == games::angry_balls::Phase::lost)
+    session_.sounds.note({SoundKind::lose});
+  if (!went_on) {
     ended_ = true;
     playing_ = false;
     return;

@@ -6,6 +6,7 @@
 #include "app/faces.hpp"
 #include "app/label.hpp"
 #include "app/landscape.hpp"
+#include "app/load_screen.hpp"
 #include "app/palette.hpp"
 #include "app/shapes.hpp"
 
@@ -47,6 +48,9 @@ TitleScreen::TitleScreen(const Words& words, Session& session)
         Choice::settings, session.surroundings.can_quit ? Choice::quit : Choice::open_file})
     choices_.push_back(choice);
   buttons_ = Buttons(std::vector<std::string>(choices_.size()), 0);
+  // Who plays on after scoring only playing it tells.
+  if (const auto& kept = session.kept.of(Kind::billiards); kept && kept->options.keep_turn)
+    if (auto player = replay::Player::create(*kept)) ahead_ = std::move(player).value();
   if (const auto notice = std::exchange(session.notice, {}))
     tell(notice->title, notice->line);
   else
@@ -108,9 +112,8 @@ std::string TitleScreen::offer(Kind kind) const {
     const auto shots = std::ranges::count_if(game.moves, [](const replay::Move& move) {
       return std::holds_alternative<games::billiards::Shoot>(move.command);
     });
-    // Who plays on after scoring only playing it would tell.
-    if (game.options.keep_turn) return words_(Text::continue_table);
-    const auto player = (game.options.first_player + shots) % 2;
+    if (game.options.keep_turn && !to_play_) return words_(Text::continue_table);
+    const auto player = to_play_.value_or((game.options.first_player + shots) % 2);
     return words_(Text::continue_billiards, {words_.number(static_cast<int>(player) + 1)});
   }
   const Level level = level_of(*game.level);
@@ -181,6 +184,17 @@ void TitleScreen::resize(const View& view) {
       buttons_.place(view, i, alone ? row : row.cut_left(row.w * 0.58f));
     }
   }
+}
+
+Transition TitleScreen::iterate(nanoseconds) {
+  if (!ahead_ || ahead_->look_ahead(steps_at_once(*ahead_))) return Transition::stay;
+  if (!ahead_->divergence()) {
+    ahead_->seek(ahead_->turns().size());
+    to_play_ = std::get<games::billiards::Game>(ahead_->game()).player();
+    resize(view_);
+  }
+  ahead_.reset();
+  return Transition::stay;
 }
 
 Transition TitleScreen::event(const Input& input) {

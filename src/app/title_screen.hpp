@@ -8,6 +8,7 @@
 #include "app/session.hpp"
 #include "app/text.hpp"
 #include "app/widgets.hpp"
+#include "replay/player.hpp"
 
 namespace app {
 
@@ -18,10 +19,10 @@ class TitleScreen final : public Screen {
 
   void resize(const View& view) override;
   Transition event(const Input& input) override;
-  Transition iterate(nanoseconds) override { return Transition::stay; }
+  Transition iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
-  bool animating() const override { return false; }
+  bool animating() const override { return ahead_.has_value(); }
 
  private:
   void draw_background(Canvas& canvas) const;
@@ -59,6 +60,8 @@ class TitleScreen final : public Screen {
   std::vector<Choice> choices_;  ///< of the buttons
   View view_;
   std::optional<Question> question_;
+  std::optional<replay::Player> ahead_;  ///< plays the game kept, until who is to play is known
+  std::optional<std::ptrdiff_t> to_play_;
   Buttons buttons_;
   Rect art_;   ///< what the poster shows, standing on the rail
   Rect rail_;  ///< of wood, as wide as the window

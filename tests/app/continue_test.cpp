@@ -3,6 +3,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/billiards_screen.hpp"
+#include "app/greedy_player.hpp"
 #include "app/kept_games.hpp"
 #include "app/level_view.hpp"
 #include "app/player.hpp"
@@ -97,6 +99,36 @@ TEST(Continue, ATableGoesOnBitByBit) {
   game.shoot(cue_of(broken_off), {90, 31});
   game.watch();
   EXPECT_EQ(stored(broken_off, table_file), stored(straight, table_file));
+}
+
+TEST(Continue, TellsWhoPlaysOnUnderTheHouseRule) {
+  app::MemoryStore store;
+  int shots = 0;
+  std::string player;
+  {
+    Start game(store);
+    app::Settings settings = game.app().settings().get();
+    settings.keep_turn = true;
+    game.app().settings().set(settings);
+    game.press("Billiards");
+    // Until it is not the one whose turn it would be by turns alone.
+    for (; shots == 0 || (game.says("Player 2 aims") == (shots % 2 == 1)); ++shots) {
+      ASSERT_LT(shots, 20);
+      const auto& table = dynamic_cast<const app::BilliardsScreen&>(game.app().screen());
+      if (game.says("places")) game.click(greedy::choose_place(table.game(), table.viewport()));
+      const auto shot = greedy::choose_shot(table.game(), table.viewport(), 3);
+      game.click(shot.grab);
+      game.click(shot.target);
+      game.watch();
+      if (game.says("places")) game.click(greedy::choose_place(table.game(), table.viewport()));
+    }
+    player = game.says("Player 2 aims") ? "2" : "1";
+  }
+  Start game(store);
+  EXPECT_FALSE(game.shows("player " + player)) << "it is not known before the game was played";
+  for (int i = 0; i < 1000 && game.app().animating(); ++i) game.pass(10ms);
+  EXPECT_FALSE(game.app().animating());
+  EXPECT_TRUE(game.shows("Continue: billiards, player " + player));
 }
 
 TEST(Continue, ALevelGoesOnBitByBit) {

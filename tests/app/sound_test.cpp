@@ -1,6 +1,8 @@
 #include "app/sound.hpp"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 
 #include "app/game_sounds.hpp"
 #include "app/player.hpp"
@@ -122,6 +124,24 @@ TEST(Sound, ButtonsClickUnderThePointerAndUnderKeys) {
   game.key(app::Key::enter);
   game.pass(20ms);
   EXPECT_EQ(count(game, SoundKind::click), 2u);
+}
+
+TEST(Sound, AReplaySoundsAsTheGameDidToItsEnd) {
+  for (const bool lost : {true, false}) {
+    std::ifstream file(std::string(SOURCE_DIR "/tests/replays/") +
+                       (lost ? "level-random-lost.json" : "level-09-won.json"));
+    Player game(app::Language::english, 1280, 720);
+    ASSERT_TRUE(game.clipboard().set_text({std::istreambuf_iterator<char>(file), {}}));
+    game.key(app::Key::paste);
+    for (int i = 0; i < 3; ++i) game.key(app::Key::plus);
+    for (int i = 0; i < 100 && !game.says("paused"); ++i) game.pass(1s);
+    ASSERT_TRUE(game.says("paused")) << game.title();
+    EXPECT_EQ(count(game, SoundKind::lose), lost ? 1u : 0u);
+    EXPECT_EQ(count(game, SoundKind::win), lost ? 0u : 1u);
+    game.key(app::Key::period);
+    game.pass(20ms);
+    EXPECT_EQ(count(game, SoundKind::lose), lost ? 1u : 0u) << "once";
+  }
 }
 
 TEST(Sound, WhatAWindowCoversDoesNotClick) {

@@ -78,6 +78,9 @@ struct Bad {
   const char* message;
 };
 
+/// The name of a test has no address in it.
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.text; }
+
 class BadScript : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadScript, IsReportedWithItsLine) {
