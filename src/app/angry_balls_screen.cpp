@@ -367,6 +367,9 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   DrawList& list = canvas.list;
   const std::size_t begin = list.vertices.size();
   draw_level(list, layout_.world, viewport_, game().level());
+  // Over what leaves the level; otherwise the bars stand still with it.
+  const bool bars_last = effects_.active() || any_above(layout_.world, viewport_, shown_world());
+  if (!bars_last) draw_bars(canvas);
   list.stand_still();
   draw_trace(list);
   effects_.draw_under_balls(list, viewport_);
@@ -396,6 +399,18 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   if (offered) offered->prompt.draw(canvas, 20);
   pace_.draw_veil(canvas, layout_.world, words_);
 
+  if (bars_last) draw_bars(canvas);
+  if (played_.practice()) strip_.draw(canvas);
+  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
+              hint_color(*canvas.list.palette),
+              launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
+  if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
+  const auto* over = std::get_if<Over>(&state_);
+  if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
+  if (question_) question_->draw(canvas);
+}
+
+void AngryBallsScreen::draw_bars(Canvas& canvas) const {
   LevelBar::Content content;
   content.number = static_cast<int>(campaign_.current) + 1;
   content.name = words_.level_name(campaign_.levels[campaign_.current].name);
@@ -404,16 +419,8 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
   content.throws_left = game().throws_left();
   content.enemies_left = game().enemies_left();
   bar_.draw(canvas, content);
-  if (played_.practice()) strip_.draw(canvas);
-  fill_rounded(list, layout_.footer, 0,
+  fill_rounded(canvas.list, layout_.footer, 0,
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
-  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
-              hint_color(*canvas.list.palette),
-              launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
-  if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
-  const auto* over = std::get_if<Over>(&state_);
-  if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
-  if (question_) question_->draw(canvas);
 }
 
 void AngryBallsScreen::draw_trace(DrawList& list) const {

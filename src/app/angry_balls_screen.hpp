@@ -74,6 +74,7 @@ class AngryBallsScreen final : public Screen {
   const carom::World& shown_world() const;
   bool moving() const;
 
+  void draw_bars(Canvas& canvas) const;
   void draw_trace(DrawList& list) const;
   std::string hint() const;
   Color hint_color(const Palette& palette) const;

@@ -332,4 +332,15 @@ void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport
   });
 }
 
+bool any_above(const Rect& area, const Viewport& viewport, const carom::World& world) {
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const carom::Ball ball = world.ball(i);
+    // Horns are half a radius high, and the ball may have been a little higher a step ago.
+    if (world.in_play(i) &&
+        viewport.to_window(ball.position).y - 3 * viewport.px(ball.radius) < area.y)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace app

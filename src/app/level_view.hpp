@@ -15,14 +15,17 @@ Viewport level_viewport(const Rect& area, const carom::Scene& level);
 void draw_level(DrawList& list, const Rect& area, const Viewport& viewport,
                 const carom::Scene& level);
 
-/// The balls in play, `fraction` of the way through the current step, with the cracks they got
-/// since `level`; and above the top edge of `area`, signs of the balls that are higher up.
 /// What quick balls leave behind, drawn before every ball.
 void draw_level_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
                        const carom::Scene& level, const Motion& motion, double fraction);
+/// The balls in play, `fraction` of the way through the current step, with the cracks they got
+/// since `level`; and above the top edge of `area`, signs of the balls that are higher up.
 void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport,
                       const carom::World& world, const carom::Scene& level, const Motion& motion,
                       double fraction);
+
+/// Whether a ball may be drawn beyond the top edge of `area`.
+bool any_above(const Rect& area, const Viewport& viewport, const carom::World& world);
 
 /// What a ball is made of; `full_solidity` is what it had at first.
 BallKind kind_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level);
