@@ -37,8 +37,9 @@ void KeysPanel::relabel() {
 
 void KeysPanel::resize(const View& view, const Rect& area) {
   Rect rest = centered(area.center(), std::min(area.w, view.px(440)), area.h);
-  head_ = rest.cut_top(view.px(48));
-  const float gap = view.px(10);
+  const bool low = view.height < view.px(480);
+  head_ = rest.cut_top(view.px(low ? 36 : 48));
+  const float gap = view.px(low ? 4 : 10);
   Rect ends = rest.cut_bottom(view.button(48));
   rest.cut_bottom(gap);
   foot_ = rest.cut_bottom(view.px(28));
@@ -46,7 +47,7 @@ void KeysPanel::resize(const View& view, const Rect& area) {
   const float pitch =
       std::min(view.button(48) + view.px(8), rest.h / static_cast<float>(all_commands.size()));
   for (std::size_t i = 0; i < all_commands.size(); ++i)
-    buttons_.place(view, i, rest.cut_top(pitch).inset(0, view.px(view.touch ? 2 : 4)));
+    buttons_.place(view, i, rest.cut_top(pitch).inset(0, view.px(low ? 1 : view.touch ? 2 : 4)));
   buttons_.place(view, all_commands.size(), ends.cut_left((ends.w - gap) / 2));
   ends.cut_left(gap);
   buttons_.place(view, all_commands.size() + 1, ends);

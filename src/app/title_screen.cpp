@@ -16,10 +16,14 @@ using replay::Kind;
 
 namespace {
 
-constexpr float rail = 40;  ///< units, how high the wood is
-constexpr int rows = 8;     ///< of the rack
+constexpr float rail = 40;            ///< units, how high the wood is
+constexpr float least_wordmark = 20;  ///< units, of the em; smaller it is left out
+constexpr int rows = 8;               ///< of the rack
 constexpr float row_distance = 1.7320508f;
 constexpr Color dusk = rgb(0xd8743c);
+
+/// Of words: in the middle below the poster, left beside it.
+Align align_in(const View& view) { return view.height > view.width ? Align::center : Align::left; }
 
 /// Where the poster's parts stand.
 struct Poster {
@@ -317,20 +321,19 @@ void TitleScreen::tell(const std::string& title, const std::string& line) {
   question_->dialog.resize(view_);
 }
 
-void TitleScreen::draw(Canvas& canvas) const {
-  draw_background(canvas);
-  draw_art(canvas);
-
+/// The product's name in two lines; a very low window has no room for it.
+void TitleScreen::draw_wordmark(Canvas& canvas) const {
   std::string product = words_(Text::product);
   for (char& letter : product)
     if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
   const std::size_t space = product.find(' ');
-  const Align align = canvas.view.height > canvas.view.width ? Align::center : Align::left;
   const std::array lines{product.substr(0, space), product.substr(space + 1)};
+  const Align align = align_in(canvas.view);
   // As large as both lines fit, standing on the tagline.
   float size = wordmark_.h * 0.61f / canvas.view.scale;
   for (const std::string& word : lines)
     size *= std::min(1.0f, wordmark_.w / label_width(canvas, {Face::black, size, {}}, word));
+  if (size < least_wordmark) return;
   const float line_height = canvas.px(size * 0.82f);
   const Point drop{0, canvas.px(4)};
   Rect rest = wordmark_;
@@ -349,8 +352,16 @@ void TitleScreen::draw(Canvas& canvas) const {
     for (std::size_t i = first; i < canvas.list.vertices.size(); ++i)
       canvas.list.vertices[i].color = lit.at(canvas.list.vertices[i].position);
   }
+}
+
+void TitleScreen::draw(Canvas& canvas) const {
+  draw_background(canvas);
+  draw_art(canvas);
+
+  draw_wordmark(canvas);
   const std::string tip = buttons_.tip();
-  label(canvas, tagline_, {Face::regular, tip.empty() ? 20.0f : 18.0f, palette::brass_lit, align},
+  label(canvas, tagline_,
+        {Face::regular, tip.empty() ? 20.0f : 18.0f, palette::brass_lit, align_in(canvas.view)},
         tip.empty() ? words_(Text::tagline) : tip);
   for (std::size_t i = 0; i < choices_.size(); ++i) {
     const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||

@@ -27,6 +27,7 @@ class TitleScreen final : public Screen {
  private:
   void draw_background(Canvas& canvas) const;
   void draw_art(Canvas& canvas) const;
+  void draw_wordmark(Canvas& canvas) const;
 
   enum class Choice : std::uint8_t {
     continue_billiards,

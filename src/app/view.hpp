@@ -26,8 +26,9 @@ struct View {
     return touch ? std::max(px(units), std::ceil(finger_target * density)) : px(units);
   }
   Rect area() const { return {0, 0, width, height}; }
-  /// Too narrow for what otherwise stands side by side.
-  bool narrow() const { return width < 760 * scale; }
+  /// Too narrow for what otherwise stands side by side; a little less room does where height is
+  /// scarcer still.
+  bool narrow() const { return width < (height < 480 * scale ? 700 : 760) * scale; }
   /// There is room for more side by side.
   bool wide() const { return width >= 900 * scale; }
 };

@@ -34,7 +34,8 @@ TEST_P(FingerTargets, AreLargeEnough) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnTelephones, FingerTargets,
-                         testing::Combine(testing::Values(std::pair{390, 844}, std::pair{844, 390}),
+                         testing::Combine(testing::Values(std::pair{390, 844}, std::pair{844, 390},
+                                                          std::pair{640, 360}),
                                           testing::Values(1, 3)),
                          [](const auto& test) {
                            return std::to_string(std::get<0>(test.param).first) + "_at_" +
