@@ -1,5 +1,5 @@
-// A break by a finger on a fine display: pull back, let go. A finger neither scrolls nor zooms the
-// page.
+// By a finger alone, on a small telephone with a fine display: a break, and a whole level from the
+// title screen to the next one. A finger neither scrolls nor zooms the page.
 
 import { check, withPage } from "./browser.mjs";
 
@@ -8,7 +8,32 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     const client = await context.newCDPSession(game.page);
     const touch = (type, ...points) => client.send("Input.dispatchTouchEvent",
       { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+    const pull = async (from, to) => {
+      await touch("touchStart", from);
+      for (let i = 1; i <= 10; ++i)
+        await touch("touchMove", from.map((at, axis) => at + (to[axis] - at) * i / 10));
+      await touch("touchEnd");
+    };
     await game.open();
+    await game.waitFor("title screen");
+    await game.tap(104, 241); // Angry Balls
+    await game.waitFor("level menu");
+    await game.tap(86, 107); // First steps
+    await game.waitFor("tap the angry ball to throw");
+    await pull([176, 248], [76, 259]);
+    check((await game.waitFor("tap for the next throw")).includes("enemies left: 1"),
+      "the first throw hit nothing");
+    await game.tap(320, 145); // Next throw
+    await game.waitFor("tap the angry ball to throw");
+    await pull([176, 248], [76, 230]);
+    check((await game.waitFor("Level won!")).includes("score: 200"), "won, but not by 200");
+    await game.page.waitForTimeout(1500); // the end is looked at before it is told
+    await game.tap(208, 239); // Next level
+    await game.waitFor("Level 2");
+    await game.tap(547, 79); // Menu
+    await game.waitFor("level menu");
+    await game.tap(580, 28); // Title
+
     await game.waitFor("title screen");
     await game.tap(104, 199); // Billiards
     await game.waitFor("Player 1 aims");
