@@ -29,8 +29,9 @@ void draw_with(SDL_Renderer* renderer, SDL_Texture* texture, const app::DrawList
 
 }  // namespace
 
-Painter::Painter(SDL_Window* window) : renderer_(create(window, SDL_RENDERER_PRESENTVSYNC)) {
-  if (!renderer_) renderer_ = owned(create(window, 0));
+Painter::Painter(SDL_Window* window)
+    : renderer_(SDL_CreateRenderer(window, -1, SDL_RENDERER_PRESENTVSYNC)) {
+  if (!renderer_) renderer_ = owned(SDL_CreateRenderer(window, -1, 0));
 #ifdef __EMSCRIPTEN__
   frame_remains_ = true;  // the page asks for it
 #else
@@ -40,10 +41,6 @@ Painter::Painter(SDL_Window* window) : renderer_(create(window, SDL_RENDERER_PRE
 #endif
   SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
   SDL_SetRenderDrawBlendMode(renderer_.get(), SDL_BLENDMODE_BLEND);  // of what has no texture
-}
-
-SDL_Renderer* Painter::create(SDL_Window* window, Uint32 flags) {
-  return SDL_CreateRenderer(window, -1, flags);
 }
 
 void Painter::forget() {

@@ -25,7 +25,6 @@ class Painter {
   void forget();
 
  private:
-  SDL_Renderer* create(SDL_Window* window, Uint32 flags);
   void upload(const app::Atlas& atlas);
   bool has_still(const app::DrawList& list);
   bool keep_still(const app::DrawList& list);
