@@ -357,6 +357,7 @@ void TitleScreen::draw_wordmark(Canvas& canvas) const {
 void TitleScreen::draw(Canvas& canvas) const {
   draw_background(canvas);
   draw_art(canvas);
+  canvas.list.stand_still();
 
   draw_wordmark(canvas);
   const std::string tip = buttons_.tip();
