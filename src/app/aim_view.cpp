@@ -242,7 +242,12 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& 
     button.place(canvas.view, 0, box);
     button.draw(canvas, 18);
   }
-  label(canvas, rest, {Face::regular, 18, color, Align::center}, hint);
+  // In the window's middle, where it stands without a meter, if it fits there.
+  const TextStyle style{Face::regular, 18, color, Align::center};
+  const Point middle{area.center().x, rest.center().y};
+  const float half = std::min(middle.x - rest.x, rest.right() - middle.x);
+  if (label_width(canvas, style, hint) <= 2 * half) rest = centered(middle, 2 * half, rest.h);
+  label(canvas, rest, style, hint);
 }
 
 }  // namespace app
