@@ -47,6 +47,7 @@ AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session, LevelRe
 }
 
 void AngryBallsScreen::announce_level() {
+  if (session_.teaches()) return;  // the lesson would cover it
   effects_.announce(title(),
                     words_(Text::goal, {words_.number(game().enemies_left()),
                                         words_.number(game().throws_left())}),

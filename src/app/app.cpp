@@ -258,7 +258,7 @@ const DrawList& App::draw() {
     screen_->draw(canvas);
     const bool hints = session_.settings.get().hints;
     if (const auto call = screen_->call(); call && !help_) {
-      if (session_.teach && hints)
+      if (session_.teaches())
         draw_lesson(canvas, *call, words_);
       else if (quiet_ >= nudge_after && hints)
         draw_nudge(canvas, *call, nudge_phase(quiet_), words_);

@@ -322,6 +322,7 @@ void BilliardsScreen::note(const billiards::Event& event, int shooter) {
 }
 
 void BilliardsScreen::announce_turn(int player, const std::string& detail) {
+  if (session_.teaches()) return;  // the lesson would cover it
   effects_.announce(words_(Text::turn_of, {words_.player(player)}), detail, player);
 }
 

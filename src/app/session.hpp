@@ -46,6 +46,9 @@ struct Session {
            (wanted == ReducedMotion::system && system_reduced_motion);
   }
 
+  /// The lesson is shown wherever a ball waits to be shot.
+  bool teaches() const { return teach && settings.get().hints; }
+
   Campaign campaign;
   KeptGames kept;
   SavedReplays saved;
