@@ -102,9 +102,12 @@ void LevelMenu::show_page(std::size_t page) {
   const float space = view_.px(gap);
   for (std::size_t i = 0; i < cards(); ++i) {
     const std::size_t row = i / columns_;
+    // A last row that is not full stands in the middle.
+    const auto missing =
+        static_cast<float>(columns_ - std::min(columns_, cards() - row * columns_));
     buttons_.place(
         view_, i,
-        {std::round(grid_.x + static_cast<float>(i % columns_) * (card_.w + space)),
+        {std::round(grid_.x + (static_cast<float>(i % columns_) + missing / 2) * (card_.w + space)),
          std::round(grid_.y + static_cast<float>(row) * (card_.h + space)), card_.w, card_.h});
   }
   Rect head = head_.inset(0, view_.px(4));
