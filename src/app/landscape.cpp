@@ -16,13 +16,12 @@ void draw_sky(DrawList& list, Rect area, float horizon, float unit) {
   const float low = std::clamp(horizon - area.y, 0.0f, area.h);
   Rect sky = area.cut_top(low);
   const Rect glowing = sky.cut_bottom(std::min(low, unit * 0.62f));
-  const Rect middle = sky.cut_bottom(std::min(sky.h, unit * 0.75f));
   // Each reaches under the next: no seams.
   const auto band = [&](const Rect& box, Color top, Color bottom) {
     fill_rounded(list, box.inset(-2), 0, Paint::vertical(box, top, bottom));
   };
-  if (sky.h > 0) band(sky, palette::sky_top, palette::sky_top);
-  if (middle.h > 0) band(middle, palette::sky_top, palette::sky_middle);
+  // All the rest, however much that is: in a window higher than wide, most of it.
+  if (sky.h > 0) band(sky, palette::sky_top, palette::sky_middle);
   if (glowing.h > 0) band(glowing, palette::sky_middle, palette::sky_low);
   const Point sun{area.x + area.w * 0.32f, horizon - unit * 0.33f};
   glow(list, sun, unit * 0.85f, unit * 0.6f, faded(palette::sun, 0.4f));
@@ -31,11 +30,12 @@ void draw_sky(DrawList& list, Rect area, float horizon, float unit) {
             Paint(sun - Point{0, r}, palette::sun, sun + Point{0, r}, palette::sun_low));
 }
 
-/// Long thin clouds, lit from below.
+/// Long thin clouds, lit from below; where there is much sky, all over it.
 void draw_clouds(DrawList& list, const Rect& area, float horizon, float unit) {
+  const float spread = std::max((horizon - area.y) / unit - 0.6f, 0.75f);
   for (std::uint32_t i = 0; i < 7; ++i) {
     const Point c{area.x + area.w * (static_cast<float>(i) + noise(1, i)) / 7,
-                  horizon - unit * (0.5f + 0.75f * noise(2, i))};
+                  horizon - unit * (0.5f + spread * noise(2, i))};
     const float across = unit * (0.14f + 0.2f * noise(3, i));
     if (c.y < area.y) continue;
     for (std::uint32_t puff = 0; puff < 3; ++puff) {
