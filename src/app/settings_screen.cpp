@@ -366,7 +366,7 @@ std::string SettingsScreen::tip(Control control) const {
   if (const auto setting = setting_of(control)) return about(*setting);
   std::string all;
   for (std::size_t i = 0; i < all_pages[control].count; ++i)
-    all += (i == 0 ? "" : " · ") + label_of(all_pages[control].settings[i]);
+    all += (i == 0 ? "" : "\u00a0· ") + label_of(all_pages[control].settings[i]);
   return all;
 }
 
