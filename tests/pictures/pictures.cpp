@@ -80,10 +80,15 @@ class Visitor {
   struct Game : platform::NullPlatform {
     Game(const Visitor& visitor, app::Store& store)
         : NullPlatform(visitor.french_ ? app::Language::french : app::Language::english,
-                       visitor.size_.width, visitor.size_.height, {}, store) {
-      if (!visitor.size_.phone) return;
+                       visitor.size_.width, visitor.size_.height, {}, store),
+          fingers(visitor.size_.phone) {
+      if (fingers) click({1, 1});
+    }
+    /// With a finger, on a telephone.
+    void click(app::Point at) {
+      if (!fingers) return NullPlatform::click(at);
       for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
-        app().event(app::Finger{0, phase, {1, 1}});
+        app().event(app::Finger{0, phase, at});
     }
     void key(Key key) {
       app().event(app::KeyPressed{key});
@@ -108,13 +113,23 @@ class Visitor {
         std::fprintf(stderr, "no ball to pull in %s\n", app().describe().c_str());
         return false;
       }
+      held_ = call->at + back * call->radius;
+      if (fingers) {
+        app().event(app::Finger{0, app::Finger::Phase::down, call->at});
+        app().event(app::Finger{0, app::Finger::Phase::moved, held_});
+        return true;
+      }
       app().event(app::PointerMoved{call->at});
       app().event(app::PointerPressed{call->at});
-      held_ = call->at + back * call->radius;
       app().event(app::PointerMoved{held_});
       return true;
     }
-    void let_go() { app().event(app::PointerReleased{held_}); }
+    void let_go() {
+      if (fingers)
+        app().event(app::Finger{0, app::Finger::Phase::up, held_});
+      else
+        app().event(app::PointerReleased{held_});
+    }
     /// Angle in degrees, speed in px/s, as typed in.
     void shoot(const std::string& angle, const std::string& speed) {
       for (const std::string& number : {angle, speed}) {
@@ -128,6 +143,7 @@ class Visitor {
       if (app().describe().find(text) == std::string::npos)
         std::fprintf(stderr, "no %s in %s\n", text.c_str(), app().describe().c_str());
     }
+    bool fingers;
     app::Point held_;
   };
 
@@ -278,7 +294,11 @@ class Visitor {
       const auto call = game.app().screen().call();
       if (!call) continue;
       if (way == app::AimWay::clicks) game.click(call->at);
-      game.app().event(app::PointerMoved{call->at + app::Point{6, -2} * call->radius});
+      const app::Point to = call->at + app::Point{6, -2} * call->radius;
+      if (!game.fingers)
+        game.app().event(app::PointerMoved{to});
+      else if (way == app::AimWay::turn)
+        game.click(to);  // a second tap by clicks shoots
       take(game, name);
     }
   }
