@@ -1,6 +1,7 @@
 #include "app/widgets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/label.hpp"
@@ -45,6 +46,27 @@ void Buttons::move_focus(std::ptrdiff_t by) {
     focused_ = primary_.value_or(by > 0 ? 0 : buttons_.size() - 1);
 }
 
+void Buttons::move_focus_to_row(bool below) {
+  std::optional<std::size_t> nearest;
+  if (columns_ > 1 && focused_) {
+    const Rect& from = buttons_[*focused_].box;
+    // The nearest row first; in it, what is nearest aside.
+    const auto away = [&](std::size_t i) {
+      const Rect& to = buttons_[i].box;
+      return std::pair{below ? to.y - from.bottom() : from.y - to.bottom(),
+                       std::abs(to.center().x - from.center().x)};
+    };
+    for (std::size_t i = 0; i < buttons_.size(); ++i)
+      if (away(i).first >= 0 && (!nearest || away(i) < away(*nearest))) nearest = i;
+  }
+  if (nearest) {
+    focused_ = nearest;
+  } else {
+    const auto by = static_cast<std::ptrdiff_t>(columns_);
+    move_focus(below ? by : -by);
+  }
+}
+
 std::optional<std::size_t> Buttons::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) {
     hovered_ = touch_ ? touched(moved->at) : find(moved->at);
@@ -75,10 +97,10 @@ std::optional<std::size_t> Buttons::event(const Input& input) {
         move_focus(-1);
         break;
       case Key::down:
-        move_focus(static_cast<std::ptrdiff_t>(columns_));
+        move_focus_to_row(true);
         break;
       case Key::up:
-        move_focus(-static_cast<std::ptrdiff_t>(columns_));
+        move_focus_to_row(false);
         break;
       case Key::enter:
         return focused_ ? focused_ : primary_;

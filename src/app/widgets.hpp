@@ -62,7 +62,8 @@ class Buttons {
   Look draw_face(Canvas& canvas, std::size_t index) const;
   /// Lists it among what is on screen; `text`: all that is written on it.
   void list_box(DrawList& list, std::size_t index, std::string text) const;
-  /// Up and down move the focus by so many.
+  /// The buttons stand in rows of so many: with more than one, up and down move the focus to the
+  /// nearest in the next row, wherever its buttons stand.
   void set_columns(std::size_t columns) { columns_ = columns; }
 
  private:
@@ -74,6 +75,7 @@ class Buttons {
   std::optional<std::size_t> find(Point at) const;
   std::optional<std::size_t> touched(Point at) const;
   void move_focus(std::ptrdiff_t by);
+  void move_focus_to_row(bool below);
 
   std::vector<Button> buttons_;
   std::optional<std::size_t> primary_;

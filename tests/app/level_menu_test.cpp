@@ -48,6 +48,29 @@ TEST(LevelMenu, ABrokenLevelTellsItsFirstErrorAndDoesNotStart) {
   EXPECT_TRUE(game.shows("Cannot be played: bad.json:2:11: /width"));
 }
 
+TEST(LevelMenu, ALastRowThatIsNotFullStandsInTheMiddle) {
+  Player game(app::Language::english, 800, 600);
+  game.press("Angry Balls");
+  const auto level = [&](std::string_view name) {
+    for (const app::Box& box : game.boxes())
+      if (box.kind == app::Box::Kind::button && box.text.find(name) != std::string::npos)
+        return box;
+    return app::Box{};
+  };
+  // Ten in rows of four.
+  const app::Rect ninth = level("The crown").area;
+  const app::Rect tenth = level("The fortress").area;
+  EXPECT_GT(ninth.y, level("Sentinels").area.bottom());
+  EXPECT_NEAR(ninth.x + tenth.right(), 800, 2);
+  // Keys go by where they stand.
+  game.key(app::Key::tab);
+  for (int i = 0; i < 3; ++i) game.key(app::Key::right);
+  for (int i = 0; i < 2; ++i) game.key(app::Key::down);
+  EXPECT_TRUE(level("The fortress").focused);
+  game.key(app::Key::up);
+  EXPECT_TRUE(level("The pit").focused);
+}
+
 TEST(LevelMenu, ManyLevelsArePaged) {
   Player game(app::Language::english, 800, 600, own_levels(50));
   game.press("Angry Balls");
