@@ -364,4 +364,19 @@ TEST_F(Hands, NothingLightsUpOnceAFingerIsLifted) {
   EXPECT_EQ(picture(), before);
 }
 
+TEST(Footer, TheHintStaysInTheMiddleBesideThePower) {
+  Player wide(app::Language::french, 1280, 720);
+  wide.press("Billard");
+  wide.pass(std::chrono::seconds{3});
+  const auto middle = [&](std::string_view hint) {
+    for (const app::Box& box : wide.boxes())
+      if (box.text.find(hint) != std::string::npos) return box.area.center().x;
+    return 0.0f;
+  };
+  EXPECT_NEAR(middle("Clavier : flèches"), 640, 1);
+  wide.key(Key::up);
+  EXPECT_TRUE(wide.shows("px/s"));
+  EXPECT_NEAR(middle("Flèches : viser"), 640, 1);
+}
+
 }  // namespace

@@ -202,7 +202,9 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
   game.app().teach_beginners();
   EXPECT_FALSE(game.shows("Pull it back"));
   game.key(Key::enter);
+  game.pass(std::chrono::milliseconds{600});
   EXPECT_TRUE(game.shows("Pull it back"));
+  EXPECT_FALSE(game.shows("Player 1 to play")) << "the lesson would cover it";
   game.app().event(app::PointerMoved{{300, 300}});
   EXPECT_TRUE(game.shows("Pull it back"));
   game.key(Key::left);
@@ -214,7 +216,9 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
   Player knows(app::Language::english, 800, 600, {}, store);
   knows.app().teach_beginners();
   knows.key(Key::enter);
+  knows.pass(std::chrono::milliseconds{600});
   EXPECT_FALSE(knows.shows("Pull it back"));
+  EXPECT_TRUE(knows.shows("Player 1 to play"));
 }
 
 TEST_F(KeysTest, TheLessonIsNotRepeatedAtTheNextStart) {
