@@ -45,7 +45,7 @@ void LevelBar::draw(Canvas& canvas, const Content& content) const {
         number, digits);
   box.cut_left(canvas.px(10));
   const TextStyle name{Face::bold, 20, palette::cream};
-  label(canvas, box, name, elided(canvas, name, content.name, box.w));
+  label_or_elide(canvas, box, name, content.name);
 
   draw_count(canvas, counts_[0], words_.number(content.score), words_(Text::score));
   draw_count(canvas, counts_[1], words_(Text::points, {words_.number(content.turn_points)}),
