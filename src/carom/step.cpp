@@ -379,9 +379,9 @@ class Stepper {
     const double low = scene_.gravity > 0 ? separation_factor : 1;
     Long2 out{};
     for (std::size_t i = begin; i < begin + block; i += 2) {
-      const Double2 x = load<Double2>(&balls_.x[i]);
-      const Double2 y = load<Double2>(&balls_.y[i]);
-      const Double2 radius = load<Double2>(&balls_.radius[i]);
+      const auto x = load<Double2>(&balls_.x[i]);
+      const auto y = load<Double2>(&balls_.y[i]);
+      const auto radius = load<Double2>(&balls_.radius[i]);
       out |= (x - radius < 0) | (x + radius > scene_.width) | (y - radius < 0) |
              (y + radius > scene_.height) | (y <= low * radius);
     }
