@@ -151,9 +151,7 @@ void App::give(const Input& input) {
   const bool asks = typed && typed->text == "?" && !screen_->typing();
   if (is_key(input, Key::help) || asks) {
     go(screen_->event(PointerCancelled{}));  // nothing is held meanwhile
-    help_.emplace(words_, session_.keyboard);
-    help_->resize(view_);
-    return;
+    return go(Transition::help);
   }
   if (is_key(input, Key::m) && !screen_->typing())
     mute();
@@ -312,6 +310,10 @@ void App::go(Transition transition) {
     case Transition::settings:
       below_ = std::exchange(screen_, std::make_unique<SettingsScreen>(words_, session_));
       break;
+    case Transition::help:
+      help_.emplace(words_, session_.keyboard);
+      help_->resize(view_);
+      return;
     case Transition::back:
       screen_ = std::move(below_);
       break;

@@ -188,6 +188,7 @@ std::string LevelMenu::notice() const {
 void LevelMenu::draw(Canvas& canvas) const {
   const Rect all = canvas.view.area();
   draw_night(canvas.list, all, foot_.y - canvas.px(4));
+  canvas.list.stand_still();
   Rect strip = all;
   strip = strip.cut_bottom(all.bottom() - foot_.y + canvas.px(4));
   fill_rounded(canvas.list, strip, 0,

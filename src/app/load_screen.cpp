@@ -74,6 +74,7 @@ Transition LoadScreen::finish() {
 
 void LoadScreen::draw(Canvas& canvas) const {
   draw_night(canvas.list, canvas.view.area(), canvas.view.height);
+  canvas.list.stand_still();
   Rect rest = panel_.inset(canvas.px(16));
   label(canvas, rest.cut_top(canvas.px(56)), {Face::black, 28, palette::cream, Align::center},
         words_(Text::loading));

@@ -25,6 +25,7 @@ enum class Transition : std::uint8_t {
   replays,   ///< the replays saved
   replay,    ///< shows a replay; the screen left is kept
   settings,  ///< the settings; the screen left is kept
+  help,      ///< all keys, over the screen, which waits
   back,      ///< to the screen kept
   quit,
 };

@@ -81,12 +81,13 @@ std::span<const Setting> SettingsScreen::lines() const {
 }
 
 std::optional<Setting> SettingsScreen::setting_of(Control control) const {
-  if (control < pages || control >= close()) return std::nullopt;
+  if (control < pages || control >= help()) return std::nullopt;
   return lines()[control - pages];
 }
 
 Rect SettingsScreen::box_of(Control control) const {
   if (control < pages) return page_boxes_[control];
+  if (control == help()) return help_;
   return control == close() ? close_ : line_boxes_[control - pages];
 }
 
@@ -116,6 +117,8 @@ void SettingsScreen::resize(const View& view) {
   arrow_ = std::min(view.px(arrow_width), rest.w / 4);
   Rect head = rest.cut_top(head_height);
   close_ = head.cut_right(view.px(112)).inset(0, view.px(2));
+  head.cut_right(gap);
+  help_ = head.cut_right(view.px(88)).inset(0, view.px(2));
   head.cut_right(gap);
   title_ = head;
   rest.cut_top(gap);
@@ -213,6 +216,7 @@ Transition SettingsScreen::key(Key key) {
 
 Transition SettingsScreen::press(Control control, Point at) {
   if (control == close()) return Transition::back;
+  if (control == help()) return Transition::help;
   if (control < pages) {
     show(control);
     return Transition::stay;
@@ -363,6 +367,7 @@ std::string SettingsScreen::value_of(Setting setting) const {
 /// What a control is for; a page, what it has.
 std::string SettingsScreen::tip(Control control) const {
   if (control == close()) return words_(Text::tip_close_help);
+  if (control == help()) return words_(Text::tip_help);
   if (const auto setting = setting_of(control)) return about(*setting);
   std::string all;
   for (std::size_t i = 0; i < all_pages[control].count; ++i)
@@ -388,20 +393,22 @@ void SettingsScreen::list_box(DrawList& list, Control control, std::string text)
 
 void SettingsScreen::draw(Canvas& canvas) const {
   draw_night(canvas.list, canvas.view.area(), canvas.view.height);
+  canvas.list.stand_still();
   label(canvas, title_, {Face::black, 32, palette::cream}, words_(Text::settings));
-  draw_close(canvas);
+  draw_button(canvas, help(), Text::help);
+  draw_button(canvas, close(), Text::close);
   for (std::size_t page = 0; page < pages; ++page) draw_page_button(canvas, page);
   for (std::size_t i = 0; i < lines().size(); ++i) draw_line(canvas, pages + i);
   paragraph(canvas, hint_, {Face::regular, 18, palette::muted, Align::center}, hint());
 }
 
-void SettingsScreen::draw_close(Canvas& canvas) const {
-  const bool lit = hovered_ == close();
-  draw_ground(canvas, close_, lit ? palette::panel_edge : palette::panel_lit, focused_ == close());
-  const std::string text = words_(Text::close);
-  label(canvas, close_.inset(canvas.px(8), 0), {Face::bold, 18, palette::cream, Align::center},
-        text);
-  list_box(canvas.list, close(), text);
+void SettingsScreen::draw_button(Canvas& canvas, Control control, Text text) const {
+  const Rect box = box_of(control);
+  const bool lit = hovered_ == control;
+  draw_ground(canvas, box, lit ? palette::panel_edge : palette::panel_lit, focused_ == control);
+  label(canvas, box.inset(canvas.px(8), 0), {Face::bold, 18, palette::cream, Align::center},
+        words_(text));
+  list_box(canvas.list, control, words_(text));
 }
 
 void SettingsScreen::draw_page_button(Canvas& canvas, std::size_t page) const {

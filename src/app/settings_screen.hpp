@@ -44,13 +44,14 @@ class SettingsScreen final : public Screen {
   };
 
  private:
-  /// What can be clicked or have the focus, in that order: the pages, the lines, and "Close".
+  /// What can be clicked or have the focus, in that order: the pages, the lines, "Help", "Close".
   using Control = std::size_t;
   static constexpr std::size_t pages = 4;
   static constexpr std::size_t most_lines = 4;
 
   std::span<const Setting> lines() const;
-  Control close() const { return pages + lines().size(); }
+  Control help() const { return pages + lines().size(); }
+  Control close() const { return help() + 1; }
   std::size_t controls() const { return close() + 1; }
   std::optional<Setting> setting_of(Control control) const;
   Rect box_of(Control control) const;
@@ -75,7 +76,7 @@ class SettingsScreen final : public Screen {
   void draw_page_button(Canvas& canvas, std::size_t page) const;
   void draw_line(Canvas& canvas, Control control) const;
   void draw_name(Canvas& canvas, const Rect& box, Setting setting, bool focused) const;
-  void draw_close(Canvas& canvas) const;
+  void draw_button(Canvas& canvas, Control control, Text text) const;
 
   Words words_;
   Session& session_;
@@ -86,6 +87,7 @@ class SettingsScreen final : public Screen {
   std::string typed_;  ///< the name whose line has the focus
 
   Rect title_;
+  Rect help_;
   Rect close_;
   std::array<Rect, pages> page_boxes_;
   std::array<Rect, most_lines> line_boxes_;

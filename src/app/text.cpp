@@ -279,6 +279,8 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
     {Text::tip_page, {"Turns the page", "Tourne la page"}},
     {Text::tip_keys, {"Puts commands on other letters", "Change la lettre des commandes"}},
     {Text::tip_close_help, {"Back to where you were[|] (Esc)", "Retour[|] (Échap)"}},
+    {Text::tip_help,
+     {"Every key and gesture[|] (F1)", "Toutes les touches, tous les gestes[|] (F1)"}},
     {Text::tip_paste,
      {"Shows the replay you copied[|] (Ctrl+V)", "Montre la partie copiée[|] (Ctrl+V)"}},
     {Text::tip_previous_turn, {"To the turn before[|] (←)", "Au tour d’avant[|] (←)"}},

@@ -227,6 +227,7 @@ enum class Text : std::uint16_t {
   tip_page,
   tip_keys,
   tip_close_help,
+  tip_help,
   tip_paste,
   tip_previous_turn,
   tip_following_turn,

@@ -56,6 +56,17 @@ TEST(SettingsScreen, AClickGoesToTheNextValueAndOnTheArrowBack) {
   EXPECT_TRUE(game.says("title screen"));
 }
 
+/// The help needs no keyboard: it opens over the settings and leaves them as they were.
+TEST(SettingsScreen, TheHelpIsATapAway) {
+  app::MemoryStore store;
+  Start game(store);
+  game.press("Settings");
+  game.press("Help");
+  EXPECT_TRUE(game.says("Help")) << game.title();
+  game.press("Close");
+  EXPECT_TRUE(game.says("Settings · General")) << game.title();
+}
+
 /// A press that slips off, and the right button, change nothing.
 TEST(SettingsScreen, OnlyAWholeClickCounts) {
   app::MemoryStore store;
@@ -76,12 +87,13 @@ TEST(SettingsScreen, EveryLineIsReachedAndChangedByKeys) {
     game.key(Key::tab);  // from nothing, later from "Close", to the first page's button
     for (int i = 0; i < page; ++i) game.key(Key::right);
     for (int i = page; i < 4; ++i) game.key(Key::tab);
-    // Through the lines to "Close".
+    // Through the lines to "Help" and "Close".
     while (game.title().find(": ") != std::string::npos) {
       game.key(Key::right);
       game.type("é ");
       game.key(Key::down);
     }
+    game.key(Key::down);
   }
   game.key(Key::escape);
   EXPECT_TRUE(game.says("title screen")) << game.title();
