@@ -55,8 +55,7 @@ void BilliardsScreen::resize(const View& view) {
   if (played_.practice())
     strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
-  const carom::Scene& table = game().world().scene();
-  viewport_ = Viewport(layout_.world.inset(view.px(8)), {table.width, table.height}, table_margin);
+  viewport_ = table_viewport(layout_.world.inset(view.px(8)), game().world().scene());
   if (question_) question_->dialog.resize(view);
   if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view);
   pointer_ = viewport_.to_window(billiards::cue_start);
@@ -173,7 +172,7 @@ bool BilliardsScreen::steer_place(const Input& input) {
   bar_.buttons().blur();
   strip_.buttons().blur();
   const carom::Scene& table = game().world().scene();
-  const carom::Vec2 to = viewport_.to_world(pointer_) + by;
+  const carom::Vec2 to = viewport_.to_world(pointer_) + viewport_.seen_as(by);
   pointer_ = viewport_.to_window(
       {std::clamp(to.x, 0.0, table.width), std::clamp(to.y, 0.0, table.height)});
   return true;
@@ -185,12 +184,7 @@ void BilliardsScreen::place(Point at) {
 }
 
 /// The table with its wood, window px.
-Rect BilliardsScreen::table_area() const {
-  const carom::Scene& table = game().world().scene();
-  const Point corner = viewport_.to_window({-table_margin, table.height + table_margin});
-  return {corner.x, corner.y, viewport_.px(table.width + 2 * table_margin),
-          viewport_.px(table.height + 2 * table_margin)};
-}
+Rect BilliardsScreen::table_area() const { return table_box(viewport_, game().world().scene()); }
 
 Transition BilliardsScreen::request(UserBar::Command command) {
   if (command == UserBar::Command::settings) return Transition::settings;

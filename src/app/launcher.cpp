@@ -46,7 +46,8 @@ carom::Vec2 slung(Point from, Point to, const Launcher::Stage& stage) {
       stage.viewport.px(longest),
       std::max(room(from, unit(pull), stage.view.area().inset(2)), stage.view.px(least_room)));
   const double factor = longest / static_cast<double>(reach);
-  return {-static_cast<double>(pull.x) * factor, static_cast<double>(pull.y) * factor};
+  return stage.viewport.seen_as(
+      {-static_cast<double>(pull.x) * factor, static_cast<double>(pull.y) * factor});
 }
 
 }  // namespace

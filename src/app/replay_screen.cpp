@@ -127,9 +127,8 @@ void ReplayScreen::resize(const View& view) {
   buttons_.place(view, faster, next(widths[6]));
 
   const carom::Scene& scene = replay::world(player_.game()).scene();
-  viewport_ = player_.replay().level
-                  ? level_viewport(world_, *player_.replay().level)
-                  : Viewport(world_.inset(view.px(6)), {scene.width, scene.height}, table_margin);
+  viewport_ = player_.replay().level ? level_viewport(world_, *player_.replay().level)
+                                     : table_viewport(world_.inset(view.px(6)), scene);
 }
 
 Transition ReplayScreen::event(const Input& input) {

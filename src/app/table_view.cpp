@@ -14,10 +14,15 @@ namespace app {
 namespace {
 
 // World px.
+constexpr double table_margin = 46;  ///< from the play area to the outer edge of the wood
 constexpr double cushion_width = 15;
 constexpr double wood_radius = 26;
 constexpr double pocket_rim = 3.5;
 constexpr double jaw = 7;  ///< how much longer a cushion is at the wood than at its nose
+
+Rect around(const Viewport& viewport, const carom::Scene& table, double by) {
+  return viewport.to_window({-by, -by}, {table.width + by, table.height + by});
+}
 
 class TablePainter {
  public:
@@ -46,10 +51,7 @@ class TablePainter {
   Point at(double x, double y) const { return viewport_.to_window({x, y}); }
   float px(double length) const { return viewport_.px(length); }
   /// The play area, larger by `by` world px on each side.
-  Rect around(double by) const {
-    const Point corner = at(-by, scene_.height + by);
-    return {corner.x, corner.y, px(scene_.width + 2 * by), px(scene_.height + 2 * by)};
-  }
+  Rect around(double by) const { return app::around(viewport_, scene_, by); }
 
   /// The floor, where the lamp still reaches it, and the table's shadow.
   void room(const Rect& window) {
@@ -250,6 +252,19 @@ class TablePainter {
 };
 
 }  // namespace
+
+Viewport table_viewport(const Rect& area, const carom::Scene& table) {
+  constexpr double worth_it = 1.2;  // times larger
+  const carom::Vec2 from{-table_margin, -table_margin};
+  const carom::Vec2 to{table.width + table_margin, table.height + table_margin};
+  const Viewport lying(area, from, to);
+  const Viewport upright(area, from, to, true);
+  return upright.scale() > worth_it * lying.scale() ? upright : lying;
+}
+
+Rect table_box(const Viewport& viewport, const carom::Scene& table) {
+  return around(viewport, table, table_margin);
+}
 
 void draw_table(DrawList& list, const Rect& window, const Viewport& viewport,
                 const carom::Scene& scene) {

@@ -7,8 +7,11 @@
 
 namespace app {
 
-/// World px from the play area to the outer edge of the table's wood.
-inline constexpr double table_margin = 46;
+/// The table with its wood, as large as fits into `area`: upright where it is much larger so, as on a
+/// phone; the cue ball starts below then.
+Viewport table_viewport(const Rect& area, const carom::Scene& table);
+/// What it fills, window px.
+Rect table_box(const Viewport& viewport, const carom::Scene& table);
 
 /// The room, which fills the window, and in it bed, cushions, wood and pockets.
 void draw_table(DrawList& list, const Rect& window, const Viewport& viewport,

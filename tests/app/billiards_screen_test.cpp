@@ -73,6 +73,28 @@ TEST_F(BilliardsScreenTest, TwoClicksShoot) {
   EXPECT_NEAR(velocity.y, 250, 1e-2);
 }
 
+/// On a phone held upright one shoots away from oneself, and up is up.
+TEST_F(BilliardsScreenTest, AnUprightTableIsPlayedAsItIsSeen) {
+  screen.resize(app::View::of(390, 844));
+  lose_cue_ball();
+  ASSERT_EQ(screen.game().phase(), Phase::place);
+  screen.event(app::PointerMoved{window(200, 200)});
+  for (int i = 0; i < 6; ++i) key(app::Key::up);
+  key(app::Key::left);
+  key(app::Key::enter);
+  ASSERT_EQ(screen.game().phase(), Phase::aim);
+  EXPECT_NEAR(cue().y, window(230, 200).y, 0.1f) << "30 px up";
+  EXPECT_NEAR(cue().x, window(200, 205).x, 0.1f) << "5 px left";
+  const app::Point at = cue();
+  screen.event(app::PointerPressed{at});
+  screen.event(app::PointerMoved{at + app::Point{0, 100}});
+  screen.event(app::PointerReleased{at + app::Point{0, 100}});
+  ASSERT_EQ(screen.game().phase(), Phase::roll);
+  for (int i = 0; i < 10; ++i) screen.iterate(16'666'667ns);
+  EXPECT_LT(cue().y, at.y - 20) << "pulled down, it goes up";
+  EXPECT_NEAR(cue().x, at.x, 0.1f);
+}
+
 TEST_F(BilliardsScreenTest, DragStartsAtTheFirstClickNotAtTheBall) {
   click(window(205, 203));
   click(window(255, 203));

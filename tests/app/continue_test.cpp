@@ -42,7 +42,8 @@ struct Start : Player {
   void shoot(carom::Vec2 from, carom::Vec2 drag) {
     app::Rect world = app::GameLayout::of(view()).world;
     if (says("practice")) world.cut_bottom(app::PracticeStrip::height(view()));
-    const app::Viewport viewport(world.inset(view().px(8)), {800, 400}, app::table_margin);
+    const app::Viewport viewport =
+        app::table_viewport(world.inset(view().px(8)), games::billiards::rack());
     const app::Point at = viewport.to_window(from);
     click(at);
     click(at + app::Point{viewport.px(drag.x), -viewport.px(drag.y)});

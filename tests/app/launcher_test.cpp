@@ -43,7 +43,7 @@ class LauncherTest : public testing::Test {
 
   Launcher launcher{{100, 0}};
   Launcher::Stage stage{.lead = {.role = carom::Role::cue, .position = {200, 200}, .radius = 8},
-                        .viewport = app::Viewport({60, 450, 800, 400}, {800, 400}, 0),
+                        .viewport = app::Viewport({60, 450, 800, 400}, {0, 0}, {800, 400}),
                         .view = app::View::of(1280, 1000),
                         .world = {60, 450, 800, 400},
                         .meter = {500, 950, 200, 30},
@@ -57,6 +57,25 @@ TEST_F(LauncherTest, APullLaunchesTheOtherWay) {
   EXPECT_EQ(launcher.stance(), Launcher::Stance::pulling);
   EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{-60, -80})) << "1 px of pull for 1 px of drag";
   EXPECT_EQ(release(window(260, 280)), Launcher::Outcome::launch);
+}
+
+/// What is seen counts, on a table that stands upright, too.
+TEST_F(LauncherTest, OnATurnedTableEachWayGoesWhereOneSees) {
+  stage.viewport = app::Viewport({60, 100, 400, 800}, {0, 0}, {800, 400}, true);
+  const Point cue = window(200, 200);
+  constexpr double up_and_left = 36.87;  // the world's right is up, its up is left
+  press(cue);
+  move(cue + Point{60, 80});
+  EXPECT_NEAR(launcher.aim.degrees(), up_and_left, 0.01) << "pulled down and to the right";
+  key(Key::escape);
+  release(cue);
+  click(cue);
+  move(cue + Point{-60, -80});
+  EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{80, 60})) << "by two clicks";
+  key(Key::escape);
+  stage.way = AimWay::turn;
+  move(cue + Point{-120, -160});
+  EXPECT_NEAR(launcher.aim.degrees(), up_and_left, 0.01) << "turned there";
 }
 
 TEST_F(LauncherTest, APullReachesTheGreatestSpeedAtEveryEdge) {

@@ -100,9 +100,9 @@ class Layout : public testing::TestWithParam<std::tuple<Size, app::Language>> {
 
   app::Point cue() const {
     const app::View view = app::View::of(size.width, size.height);
-    const app::Viewport viewport(app::GameLayout::of(view).world.inset(view.px(8)), {800, 400},
-                                 app::table_margin);
-    return viewport.to_window({200, 200});
+    return app::table_viewport(app::GameLayout::of(view).world.inset(view.px(8)),
+                               games::billiards::rack())
+        .to_window({200, 200});
   }
   void check(const std::string& modal_title = {}) {
     expect_sound(visible(game.app().draw().boxes, modal_title), size);

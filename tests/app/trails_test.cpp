@@ -22,7 +22,7 @@ app::DrawList trail_at(double speed, bool moved_by_hand = false) {
   }
   if (moved_by_hand) motion.restart(world);
   app::DrawList list;
-  const app::Viewport viewport({0, 0, 800, 400}, {800, 400}, 0);
+  const app::Viewport viewport({0, 0, 800, 400}, {0, 0}, {800, 400});
   app::draw_trails(list, viewport, world, motion, 1,
                    [](const carom::Ball&) { return app::palette::ivory; });
   return list;
