@@ -40,7 +40,7 @@ std::string difference(const carom::Scene& scene, int steps) {
 #ifdef NDEBUG
 constexpr std::uint64_t worlds_each = 12'500;
 #else
-constexpr std::uint64_t worlds_each = 1'250;  // the unoptimised build takes ten times as long
+constexpr std::uint64_t worlds_each = 1'250;  // the others take ten times as long
 #endif
 
 class BroadPhases : public testing::TestWithParam<std::uint64_t> {};
