@@ -58,7 +58,7 @@ sed -i '/device->[A-Za-z]*WindowFramebuffer = /d; /device->GL_GetProcAddress = /
   src/video/emscripten/SDL_emscriptenvideo.c
 # Without drawing in software, which a page has no use for: half of SDL.
 emcmake cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_INSTALL_PREFIX="$folder" \
-  "-DCMAKE_C_FLAGS=-DSDL_LEAN_AND_MEAN=1 -flto" -DSDL_ASSERTIONS=disabled -DSDL_TEST=OFF -DSDL_SHARED=OFF \
+  -DCMAKE_C_FLAGS=-DSDL_LEAN_AND_MEAN=1 "-DCMAKE_C_FLAGS_MINSIZEREL=-Os -DNDEBUG -flto" -DSDL_ASSERTIONS=disabled -DSDL_TEST=OFF -DSDL_SHARED=OFF \
   -DSDL_AUDIO=ON -DSDL_OPENGL=OFF -DSDL_JOYSTICK=OFF -DSDL_HAPTIC=OFF -DSDL_SENSOR=OFF -DSDL_HIDAPI=OFF \
   -DSDL_OFFSCREEN=OFF -DSDL_DUMMYVIDEO=OFF -DSDL_DISKAUDIO=OFF -DSDL_DUMMYAUDIO=OFF -DSDL_POWER=OFF
 ninja -C build install

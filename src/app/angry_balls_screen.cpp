@@ -97,8 +97,10 @@ Transition AngryBallsScreen::event(const Input& input) {
   }
 
   auto* launcher = std::get_if<Launcher>(&state_);
-  if (pace_.event(input, !question_ && !std::holds_alternative<Over>(state_) &&
-                             !(launcher && launcher->held())))
+  if (pace_.event(
+          input,
+          !question_ && !std::holds_alternative<Over>(state_) && !(launcher && launcher->held()),
+          std::holds_alternative<WatchThrow>(state_) && !on_button()))
     return Transition::stay;
   if (question_) {
     const auto chosen = question_->event(input);

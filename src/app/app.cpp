@@ -269,6 +269,13 @@ const DrawList& App::draw() {
 }
 
 void App::go(Transition transition) {
+  const auto show = [&](std::unique_ptr<Screen> screen) {
+    screen_ = std::move(screen);
+    below_.clear();
+  };
+  const auto cover = [&](std::unique_ptr<Screen> screen) {
+    below_.push_back(std::exchange(screen_, std::move(screen)));
+  };
   switch (transition) {
     case Transition::stay:
       return;
@@ -276,58 +283,57 @@ void App::go(Transition transition) {
       quit_requested_ = true;
       return;
     case Transition::title:
-      screen_ = std::make_unique<TitleScreen>(words_, session_);
+      show(std::make_unique<TitleScreen>(words_, session_));
       break;
     case Transition::billiards:
-      screen_ = std::make_unique<BilliardsScreen>(words_, session_);
+      show(std::make_unique<BilliardsScreen>(words_, session_));
       break;
     case Transition::practice_table:
-      screen_ =
-          std::make_unique<BilliardsScreen>(words_, session_, BilliardsScreen::Mode::practice);
+      show(std::make_unique<BilliardsScreen>(words_, session_, BilliardsScreen::Mode::practice));
       break;
     case Transition::levels:
-      screen_ = std::make_unique<LevelMenu>(words_, session_.campaign);
+      show(std::make_unique<LevelMenu>(words_, session_.campaign));
       break;
     case Transition::level:
-      screen_ = std::make_unique<AngryBallsScreen>(words_, session_);
+      show(std::make_unique<AngryBallsScreen>(words_, session_));
       break;
     case Transition::load:
-      screen_ = std::make_unique<LoadScreen>(words_, session_);
+      show(std::make_unique<LoadScreen>(words_, session_));
       break;
     case Transition::resume:
-      resume();
+      show(resumed());
       break;
     case Transition::replays:
-      screen_ = std::make_unique<ReplayList>(words_, session_);
+      show(std::make_unique<ReplayList>(words_, session_));
       break;
     case Transition::replay: {
       auto player = replay::Player::create(*std::exchange(session_.to_watch, {}));
       if (!player) return;  // a game that has outgrown every limit
-      below_ = std::exchange(
-          screen_, std::make_unique<ReplayScreen>(words_, session_, std::move(player).value()));
+      cover(std::make_unique<ReplayScreen>(words_, session_, std::move(player).value()));
       break;
     }
     case Transition::settings:
-      below_ = std::exchange(screen_, std::make_unique<SettingsScreen>(words_, session_));
+      cover(std::make_unique<SettingsScreen>(words_, session_));
       break;
     case Transition::help:
       help_.emplace(words_, session_.keyboard);
       help_->resize(view_);
       return;
     case Transition::back:
-      screen_ = std::move(below_);
+      screen_ = std::move(below_.back());
+      below_.pop_back();
       break;
   }
+  help_.reset();
   screen_->resize(view_);
 }
 
-void App::resume() {
+std::unique_ptr<Screen> App::resumed() {
   auto loaded = *std::exchange(session_.loaded, {});
   if (auto* table = std::get_if<BilliardsRecorder>(&loaded))
-    screen_ = std::make_unique<BilliardsScreen>(words_, session_, std::move(*table));
-  else
-    screen_ = std::make_unique<AngryBallsScreen>(words_, session_,
-                                                 std::move(std::get<LevelRecorder>(loaded)));
+    return std::make_unique<BilliardsScreen>(words_, session_, std::move(*table));
+  return std::make_unique<AngryBallsScreen>(words_, session_,
+                                            std::move(std::get<LevelRecorder>(loaded)));
 }
 
 }  // namespace app

@@ -77,7 +77,7 @@ class App {
   void note_hand(const Input& input);
   bool steers() const { return !help_ && screen_->call().has_value(); }
   void go(Transition transition);
-  void resume();
+  std::unique_ptr<Screen> resumed();
   bool presses_button(const Input& input) const;
   void mute();
   void keep_keys();
@@ -94,8 +94,10 @@ class App {
   DrawList list_;
   Toast toast_;
   std::unique_ptr<Screen> screen_;
-  std::unique_ptr<Screen> below_;  ///< kept while a replay is shown
-  std::optional<Help> help_;       ///< over the screen, which waits
+  /// Kept while settings or replays lie over them, the uppermost last: a replay may be opened from
+  /// outside at any time.
+  std::vector<std::unique_ptr<Screen>> below_;
+  std::optional<Help> help_;  ///< over the screen, which waits
   Fingers fingers_;
   Pad pad_;
   nanoseconds quiet_{};  ///< since the last input

@@ -70,7 +70,8 @@ Transition BilliardsScreen::event(const Input& input) {
 
   auto* launcher = std::get_if<Launcher>(&state_);
   if (pace_.event(input,
-                  !question_ && game().phase() != Phase::over && !(launcher && launcher->held())))
+                  !question_ && game().phase() != Phase::over && !(launcher && launcher->held()),
+                  std::holds_alternative<WatchShot>(state_) && !on_button()))
     return Transition::stay;
   if (question_) {
     const auto chosen = question_->dialog.event(input);

@@ -6,7 +6,10 @@
 
 namespace app {
 
-bool Pace::event(const Input& input, bool free) {
+bool Pace::event(const Input& input, bool free, bool watches) {
+  if (std::holds_alternative<PointerReleased>(input) ||
+      std::holds_alternative<PointerCancelled>(input))
+    pressed_.reset();
   if (const auto* released = std::get_if<KeyReleased>(&input)) {
     if (released->key == Key::f) fast_ = false;
     return false;
@@ -19,9 +22,11 @@ bool Pace::event(const Input& input, bool free) {
     return ends;
   }
   if (!free) return false;
+  if (std::holds_alternative<PointerPressed>(input) && watches) pressed_ = nanoseconds{0};
   if (is_key(input, Key::p)) {
     paused_ = true;
     fast_ = false;
+    pressed_.reset();
     return true;
   }
   if (!is_key(input, Key::f)) return false;
@@ -38,8 +43,9 @@ void Pace::decisive() {
 Speed Pace::pass(nanoseconds elapsed) {
   const bool slow = slow_left_ > nanoseconds{0};
   slow_left_ = std::max(slow_left_ - elapsed, nanoseconds{0});
+  if (pressed_) *pressed_ += elapsed;
   // Who is in a hurry does not want it.
-  if (fast_) return fast_forward;
+  if (fast_ || (pressed_ && *pressed_ > touch_time)) return fast_forward;
   return slow ? slow_motion : real_speed;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "app/canvas.hpp"
 #include "app/clock.hpp"
 #include "app/input.hpp"
@@ -7,17 +9,19 @@
 
 namespace app {
 
-/// How quickly a game is shown, by the player's keys and by what happens: P pauses, F held down
-/// goes faster, a decisive moment passes slowly. Only how many steps a frame makes: the steps are
-/// the same.
+/// How quickly a game is shown, by the player's hand and by what happens: P pauses, F or a finger
+/// held down goes faster, a decisive moment passes slowly. Only how many steps a frame makes: the
+/// steps are the same.
 class Pace {
  public:
   /// A decisive moment is shown slowly for so long, real time.
   static constexpr nanoseconds slow_time = std::chrono::milliseconds{1500};
+  /// So long a press is a touch like any other, not yet one that is held.
+  static constexpr nanoseconds touch_time = std::chrono::milliseconds{250};
 
   /// Whether it was meant for the pace: then it is done with. `free`: the game is on top, and may
-  /// be paused.
-  bool event(const Input& input, bool free);
+  /// be paused. `watches`: a press does nothing else there.
+  bool event(const Input& input, bool free, bool watches);
   bool paused() const { return paused_; }
   /// Slow from now on; at most once a game.
   void decisive();
@@ -30,8 +34,9 @@ class Pace {
 
  private:
   bool paused_ = false;
-  bool fast_ = false;      ///< the key is held down
-  bool was_slow_ = false;  ///< in this game
+  bool fast_ = false;                   ///< the key is held down
+  std::optional<nanoseconds> pressed_;  ///< for how long, while the balls are watched
+  bool was_slow_ = false;               ///< in this game
   nanoseconds slow_left_{};
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
@@ -78,8 +79,15 @@ std::vector<Input> Pad::event(const Input& input, bool steers) {
   }
   if (const auto* moved = std::get_if<PadMoved>(&input)) {
     // What is no number would be no direction either.
-    axes_[static_cast<std::size_t>(moved->axis)] =
-        moved->value >= -1 && moved->value <= 1 ? moved->value : 0;
+    float& axis = axes_[static_cast<std::size_t>(moved->axis)];
+    const float before =
+        std::exchange(axis, moved->value >= -1 && moved->value <= 1 ? moved->value : 0);
+    if (moved->axis == PadAxis::right_trigger) {
+      // What makes a throw stronger makes it pass quicker.
+      if (axis > flick && before <= flick && !steers) return {KeyPressed{Key::f}};
+      if (axis <= flick && before > flick) return {KeyReleased{Key::f}};
+      return {};
+    }
     const auto key = stick_key();
     if (key == stick_) return {};
     if (stick_ && key_ == stick_) hold({});

@@ -338,15 +338,20 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count)> entries{{
       "droit\tAnnuler"}},
     {Text::help_touch_title, {"Touch", "Écran tactile"}},
     {Text::help_touch,
-     {"Pull, let go\tAim and shoot\nTwo taps\tBall, then target\nTwo fingers\tTake it back",
-      "Tirer, lâcher\tViser et tirer\nDeux touches\tBoule, puis but\nDeux doigts\tAnnuler"}},
+     {"Pull, let go\tAim and shoot\nTwo taps\tBall, then target\nTwo fingers\tTake it "
+      "back\nHold\tFaster, "
+      "while they roll",
+      "Tirer, lâcher\tViser et tirer\nDeux touches\tBoule, puis but\nDeux "
+      "doigts\tAnnuler\nMaintenir\tPlus "
+      "vite, si ça roule"}},
     {Text::help_pad_title, {"Gamepad", "Manette"}},
     {Text::help_pad,
      {"Cross\tMove, aim\nA, B\tChoose or shoot, back\nLeft stick\tTurn, carry the ball\nRight "
-      "stick\tPower; triggers too\nLB, RB\tTurn by 0.1°\nX, View\tTo the "
+      "stick\tPower; triggers too\nRT, held\tFaster\nLB, RB\tTurn by 0.1°\nX, View\tTo the "
       "buttons\nStart\tPause\nY\tThis help",
       "Croix\tAller, viser\nA, B\tChoisir ou tirer, retour\nStick gauche\tTourner, porter la "
-      "boule\nStick droit\tForce ; gâchettes aussi\nLB, RB\tTourner de 0,1°\nX, View\tVers les "
+      "boule\nStick droit\tForce ; gâchettes aussi\nRT tenue\tPlus vite\nLB, RB\tTourner de "
+      "0,1°\nX, View\tVers les "
       "boutons\nStart\tPause\nY\tCette aide"}},
     {Text::keys_title, {"Keys", "Touches"}},
     {Text::key_again, {"Start again, repeat", "Recommencer, répéter"}},

@@ -24,7 +24,7 @@ namespace tool {
 
 namespace {
 
-struct Options {
+struct QuadtreeOptions {
   std::string scene;
   std::string svg;
 };
@@ -234,7 +234,7 @@ class Picture {
   std::string out_;
 };
 
-int quadtree(const Options& options) {
+int quadtree(const QuadtreeOptions& options) {
   const auto scene = read_scene_file(options.scene);
   if (!scene) return report(scene.errors(), options.scene);
   const Tree tree(scene.value().balls);
@@ -249,7 +249,7 @@ int quadtree(const Options& options) {
 }  // namespace
 
 void add_quadtree(CLI::App& carom, int& status) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<QuadtreeOptions>();
   CLI::App* command =
       carom.add_subcommand("quadtree", "Tell, and draw, how the quadtree divides a scene.");
   command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")

@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Options {
+struct ReplayOptions {
   std::string file;
   bool verify = false;
   bool text = false;
@@ -146,7 +146,7 @@ int compare_with_trace(const replay::Player& player, const std::string& path) {
   return wrong_input;
 }
 
-int convert(const replay::Replay& replay, const Options& options) {
+int convert(const replay::Replay& replay, const ReplayOptions& options) {
   if (options.text) {
     std::printf("%s\n", replay::write_text(replay).c_str());
     return done;
@@ -157,7 +157,7 @@ int convert(const replay::Replay& replay, const Options& options) {
   return done;
 }
 
-int play(const Options& options) {
+int play(const ReplayOptions& options) {
   const auto bytes = files::read(options.file);
   if (!bytes) return report(bytes.errors(), options.file);
   auto read = replay::read_replay(bytes.value());
@@ -190,7 +190,7 @@ int play(const Options& options) {
 
 void add_replay(CLI::App& carom, int& status) {
   // Shared with the callback, which runs after this function has returned.
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = carom.add_subcommand("replay", "Play a recorded game and prove it.");
   command
       ->add_option("replay", options->file,

@@ -20,7 +20,7 @@ namespace tool {
 
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::string scene;
   std::optional<std::uint64_t> steps;
   bool until_rest = false;
@@ -76,7 +76,7 @@ void summarise(const carom::World& world, std::FILE* out) {
   std::fprintf(out, "hash        %s\n", carom::hash_text(world.state_hash()).c_str());
 }
 
-int simulate(const Options& options) {
+int simulate(const SimulateOptions& options) {
   auto scene = read_scene_file(options.scene);
   if (!scene) return report(scene.errors(), options.scene);
   auto created = carom::World::create(std::move(scene).value());
@@ -144,7 +144,7 @@ void add_simulate(CLI::App& carom, int& status) {
       },
       {});
   // Shared with the callback, which runs after this function has returned.
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = carom.add_subcommand("simulate", "Run a scene and tell how it ended.");
   command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")
       ->required()

@@ -15,7 +15,7 @@ namespace tool {
 
 namespace {
 
-struct Options {
+struct SoakOptions {
   std::uint64_t games = 100;
   std::uint64_t seed = 1;
   std::string kind = "both";
@@ -23,7 +23,7 @@ struct Options {
 
 using Number = unsigned long long;
 
-int soak(const Options& options) {
+int soak(const SoakOptions& options) {
   std::uint64_t turns = 0;
   std::uint64_t steps = 0;
   std::uint64_t longest_turn = 0;
@@ -57,7 +57,7 @@ int soak(const Options& options) {
 
 void add_soak(CLI::App& carom, int& status) {
   // Shared with the callback, which runs after this function has returned.
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SoakOptions>();
   // CLI11 alone would take -3 for a number near 2^64.
   const CLI::Validator whole_number(
       [](const std::string& text) {

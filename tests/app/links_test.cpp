@@ -33,6 +33,32 @@ TEST_F(Links, ALinkToAReplayShowsItAndProvesIt) {
   EXPECT_TRUE(game.says("title screen"));
 }
 
+/// Two files dropped together: the second lies over the first, and the game over none is lost.
+TEST_F(Links, AReplayOpenedOverAnotherOrOverTheSettingsLeadsBack) {
+  const std::string replay = content("tests/replays/level-09-won.json");
+  game.press("Billiards");
+  const std::string table = game.title();
+  for (int i = 0; i < 2; ++i) game.app().open_file("x.json", replay);
+  game.key(app::Key::escape);
+  EXPECT_NE(game.title(), table);
+  game.key(app::Key::escape);
+  EXPECT_EQ(game.title(), table);
+  game.key(app::Key::settings);
+  game.app().open_file("x.json", replay);
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.says("Settings")) << game.title();
+  game.key(app::Key::escape);
+  EXPECT_EQ(game.title(), table);
+}
+
+TEST_F(Links, WhatIsOpenedIsNotHiddenByTheHelp) {
+  game.key(app::Key::help);
+  game.app().open_link("#level=" +
+                       replay::write_level_text(games::angry_balls::read_level(own_level).value()));
+  game.app().draw();
+  EXPECT_TRUE(game.says("Mine")) << game.title();
+}
+
 TEST_F(Links, ALinkToALevelPlaysItAndKeepsNothing) {
   const auto level = games::angry_balls::read_level(own_level).value();
   game.app().open_link("#level=" + replay::write_level_text(level));

@@ -117,6 +117,41 @@ TEST_F(PaceTest, FastForwardIsFourStepsForOneAsLongAsTheKeyIsDown) {
   EXPECT_EQ(screen.game().world().steps(), 18u);
 }
 
+TEST_F(PaceTest, AFingerHeldOnTheTableIsAsTheKey) {
+  auto screen = table();
+  const app::Point at{640, 360};
+  const auto steps_of_next_30_ms = [&] {
+    const auto before = screen.game().world().steps();
+    screen.iterate(30ms);
+    return screen.game().world().steps() - before;
+  };
+  screen.event(app::PointerPressed{at, app::PointerButton::left, true});
+  EXPECT_EQ(steps_of_next_30_ms(), 3u) << "a tap is none";
+  for (int i = 0; i < 8; ++i) screen.iterate(30ms);
+  EXPECT_EQ(steps_of_next_30_ms(), 12u);
+  screen.event(app::PointerReleased{at});
+  EXPECT_EQ(steps_of_next_30_ms(), 3u);
+  screen.event(app::PointerPressed{at, app::PointerButton::left, true});
+  for (int i = 0; i < 10; ++i) screen.iterate(30ms);
+  screen.event(app::PointerCancelled{});  // a second finger
+  EXPECT_EQ(steps_of_next_30_ms(), 3u);
+}
+
+/// The finger that has just shot is not one that waits.
+TEST_F(PaceTest, ThePressThatShootsHurriesNothing) {
+  app::BilliardsScreen screen(words, session);
+  screen.resize(app::View::of(1280, 720));
+  const app::Point cue = screen.viewport().to_window(billiards::cue_start);
+  for (const app::Point at : {cue, cue + app::Point{100, 7}}) {
+    screen.event(app::PointerMoved{at});
+    screen.event(app::PointerPressed{at});
+    if (at == cue) screen.event(app::PointerReleased{at});
+  }
+  ASSERT_EQ(screen.game().phase(), billiards::Phase::roll);
+  for (int i = 0; i < 20; ++i) screen.iterate(30ms);
+  EXPECT_EQ(screen.game().world().steps(), 60u);
+}
+
 TEST_F(PaceTest, TheBreakOfTheLastEnemyPassesSlowly) {
   struct Shown {
     int frames = 0;
@@ -214,18 +249,18 @@ TEST(Pace, ADecisiveMomentIsSlowOnceAGameAndNotForWhoIsInAHurry) {
   EXPECT_EQ(pace.pass(1ms).quarters, 4);
   pace.new_game();
   pace.decisive();
-  EXPECT_TRUE(pace.event(app::KeyPressed{Key::f}, true));
+  EXPECT_TRUE(pace.event(app::KeyPressed{Key::f}, true, true));
   EXPECT_EQ(pace.pass(1ms).quarters, 16);
-  EXPECT_FALSE(pace.event(app::KeyReleased{Key::f}, true));
+  EXPECT_FALSE(pace.event(app::KeyReleased{Key::f}, true, true));
   EXPECT_EQ(pace.pass(1ms).quarters, 1);
 }
 
 TEST(Pace, UnderAWindowOnlyTheReleaseIsHeard) {
   app::Pace pace;
-  EXPECT_FALSE(pace.event(app::KeyPressed{Key::p}, false));
+  EXPECT_FALSE(pace.event(app::KeyPressed{Key::p}, false, false));
   EXPECT_FALSE(pace.paused());
-  EXPECT_TRUE(pace.event(app::KeyPressed{Key::f}, true));
-  pace.event(app::KeyReleased{Key::f}, false);
+  EXPECT_TRUE(pace.event(app::KeyPressed{Key::f}, true, true));
+  pace.event(app::KeyReleased{Key::f}, false, false);
   EXPECT_EQ(pace.pass(1ms).quarters, 4);
 }
 

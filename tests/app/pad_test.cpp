@@ -35,6 +35,17 @@ TEST_F(PadTest, ButtonsAreKeys) {
   EXPECT_FALSE(pad.held());
 }
 
+/// While nothing is aimed.
+TEST_F(PadTest, TheRightTriggerIsTheKeyThatHurries) {
+  EXPECT_TRUE(move(PadAxis::right_trigger, 0.5f, false).empty());
+  EXPECT_EQ(key(move(PadAxis::right_trigger, 0.9f, false)), Key::f);
+  EXPECT_TRUE(move(PadAxis::right_trigger, 1, false).empty());
+  const auto let_go = move(PadAxis::right_trigger, 0.1f, false);
+  ASSERT_EQ(let_go.size(), 1u);
+  EXPECT_EQ(std::get<app::KeyReleased>(let_go[0]).key, Key::f);
+  EXPECT_TRUE(move(PadAxis::right_trigger, 1, true).empty()) << "it makes the throw stronger";
+}
+
 TEST_F(PadTest, TheCrossRepeatsUntilItIsLetGo) {
   EXPECT_EQ(key(pad.event(app::PadPressed{PadButton::left}, true)), Key::left);
   EXPECT_TRUE(pad.held());
