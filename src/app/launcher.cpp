@@ -53,7 +53,8 @@ carom::Vec2 slung(Point from, Point to, const Launcher::Stage& stage) {
 }  // namespace
 
 void Launcher::begin() {
-  if (!aim.active()) aim.set(start_);
+  // A click on the lead alone has no direction yet that could be turned, nor a strength.
+  if (aim.drag() == carom::Vec2{}) aim.set(start_);
   missed_ = refused_ = false;
 }
 

@@ -130,6 +130,19 @@ TEST_F(LauncherTest, AClickThatDoesNotMoveIsTheFirstOfTwoInEachWay) {
   }
 }
 
+TEST_F(LauncherTest, AfterAClickThatHasNotMovedKeysAndNumbersAimAsFromTheStart) {
+  click(lead);
+  key(Key::left);
+  EXPECT_NEAR(launcher.aim.degrees(), 1, 0.05);
+  EXPECT_NEAR(launcher.aim.speed(), 500, 0.1);
+  key(Key::escape);
+  click(lead);
+  type("90");
+  key(Key::enter);
+  EXPECT_NEAR(launcher.aim.degrees(), 90, 0.05);
+  EXPECT_EQ(key(Key::enter), Launcher::Outcome::launch);
+}
+
 TEST_F(LauncherTest, AfterAClickAPressOnTheBallCanStillPull) {
   click(lead);
   press(lead);
