@@ -1,6 +1,7 @@
 #include "app/level_menu.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/label.hpp"
 #include "app/landscape.hpp"
@@ -91,7 +92,8 @@ void LevelMenu::show_page(std::size_t page) {
   }
   labels.push_back(words_(campaign_.practice ? Text::practice_on : Text::practice_off));
   labels.push_back(words_(Text::title_button));
-  buttons_ = Buttons(std::move(labels));
+  const Buttons before = std::exchange(buttons_, Buttons(std::move(labels)));
+  buttons_.keep_focus(before, several ? 4 : 2);
   buttons_.set_columns(columns_);
   for (std::size_t i = 0; i < cards(); ++i) buttons_.explain(i, about(first() + i));
   for (std::size_t i = cards(); i + 2 < buttons_.size(); ++i)

@@ -1,5 +1,7 @@
 #include "app/replay_list.hpp"
 
+#include <utility>
+
 #include "app/label.hpp"
 #include "app/landscape.hpp"
 #include "app/palette.hpp"
@@ -30,6 +32,7 @@ std::size_t ReplayList::pages() const {
 
 void ReplayList::resize(const View& view) {
   const std::size_t first = page_ * per_page_;
+  names_ = session_.saved.names();  // the replay watched may have been saved
   view_ = view;
   Rect rest = view.area().inset(view.px(margin), view.px(4));
   rest = centered(rest.center(), std::min(rest.w, view.px(most_width)), rest.h);
@@ -64,7 +67,8 @@ void ReplayList::show_page(std::size_t page) {
   }
   labels.push_back(words_(Text::paste));
   labels.push_back(words_(Text::title_button));
-  buttons_ = Buttons(std::move(labels));
+  const Buttons before = std::exchange(buttons_, Buttons(std::move(labels)));
+  buttons_.keep_focus(before, several ? 4 : 2);
   for (std::size_t i = 0; i < entries_.size(); ++i)
     buttons_.explain(i, entries_[i].replay ? words_(Text::tip_watch) : fault(entries_[i]));
   for (std::size_t i = entries_.size(); i + 2 < buttons_.size(); ++i)

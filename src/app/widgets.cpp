@@ -113,6 +113,15 @@ std::optional<std::size_t> Buttons::event(const Input& input) {
   return std::nullopt;
 }
 
+void Buttons::keep_focus(const Buttons& before, std::size_t tail) {
+  if (!before.focused_) return;
+  const std::size_t from_end = before.size() - *before.focused_;
+  if (from_end <= tail && from_end <= size())
+    focused_ = size() - from_end;
+  else if (*before.focused_ + tail < size())
+    focused_ = before.focused_;
+}
+
 bool Buttons::move_focus(std::initializer_list<Buttons*> groups, const Input& input) {
   const bool forward =
       is_key(input, Key::tab) || is_key(input, Key::right) || is_key(input, Key::down);

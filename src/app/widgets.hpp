@@ -41,6 +41,10 @@ class Buttons {
   /// The focus is on none of them, as at the start.
   void blur() { focused_.reset(); }
   bool has_focus() const { return focused_.has_value(); }
+  /// Takes over the focus of the buttons that these take the place of: of the last `tail` of them
+  /// on the one that is as far from the end, of the others on the one that is as far from the
+  /// start.
+  void keep_focus(const Buttons& before, std::size_t tail);
   /// A click here is a button's business.
   bool cover(Point at, bool touch = false) const {
     return (touch ? touched(at) : find(at)).has_value();

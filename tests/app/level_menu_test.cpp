@@ -86,6 +86,35 @@ TEST(LevelMenu, ManyLevelsArePaged) {
   EXPECT_TRUE(game.shows("First steps"));
 }
 
+TEST(LevelMenu, TheFocusStaysWherePagesAreTurnedAndPracticeIsSwitched) {
+  Player game(app::Language::english, 800, 600, own_levels(50));
+  game.press("Angry Balls");
+  const auto focused = [&]() -> std::string {
+    for (const app::Box& box : game.boxes())
+      if (box.focused) return box.text;
+    return {};
+  };
+  for (int i = 0; i < 3; ++i) game.key(app::Key::back_tab);
+  ASSERT_EQ(focused(), "Next ›");
+  for (int page = 2; page < 5; ++page) {
+    game.key(app::Key::enter);
+    EXPECT_TRUE(game.shows("Page " + std::to_string(page)));
+    EXPECT_EQ(focused(), "Next ›");
+  }
+  game.key(app::Key::tab);
+  game.key(app::Key::enter);
+  EXPECT_EQ(focused(), "Practice: on");
+}
+
+TEST(LevelMenu, TheFocusStaysOnALevelInAWindowOfAnotherSize) {
+  Player game(app::Language::english, 1280, 720);
+  game.press("Angry Balls");
+  for (int i = 0; i < 2; ++i) game.key(app::Key::tab);
+  game.app().event(app::Resized{800, 600, 1});
+  game.key(app::Key::enter);
+  EXPECT_TRUE(game.says("Level 2")) << game.title();
+}
+
 TEST(LevelMenu, IsPlayedByKeysToo) {
   Player game(app::Language::english, 1280, 720);
   for (int i = 0; i < 3; ++i) game.key(app::Key::tab);

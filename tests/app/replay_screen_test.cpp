@@ -230,6 +230,22 @@ TEST(Replays, ArePastedOnTitleAndList) {
   }
 }
 
+TEST(Replays, OneSavedWhileItIsWatchedFromTheListIsThere) {
+  Player game(app::Language::english, 1280, 720);
+  ASSERT_TRUE(game.store().save("replays/a.json", content("level-01-won.json")));
+  game.press("Replays");
+  game.key(Key::tab);
+  game.key(Key::enter);
+  game.wait_for("Verified");
+  game.press("Save");
+  game.key(Key::escape);
+  EXPECT_TRUE(game.says("replays: 2")) << game.title();
+  EXPECT_TRUE(game.shows("replay-0001"));
+  bool focused = false;
+  for (const app::Box& box : game.boxes()) focused |= box.focused && box.text.starts_with("a\n");
+  EXPECT_TRUE(focused) << "where the player came from";
+}
+
 TEST(Replays, ABrokenFileInTheListSaysSo) {
   Player game(app::Language::english, 1280, 720);
   ASSERT_TRUE(game.store().save("replays/bad.json", "{"));
