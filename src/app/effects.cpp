@@ -85,10 +85,11 @@ void Effects::shake(DrawList& list, std::size_t first, const Rect& area) const {
     age = std::chrono::duration<float>(ball.age).count();
   }
   if (strongest == 0) return;
-  const float reach = 0.008f * std::min(area.w, area.h) * strongest * strongest;
+  const float share = 0.008f * strongest * strongest;
+  const float reach = share * std::min(area.w, area.h);
   const Point off{reach * std::sin(age * 140), reach * std::cos(age * 110)};
   // A little larger, so that no edge of the picture comes in.
-  const float scale = 1 + 2 * reach / std::min(area.w, area.h);
+  const float scale = 1 + 2 * share;
   const Point middle = area.center();
   for (std::size_t i = first; i < list.vertices.size(); ++i) {
     Point& at = list.vertices[i].position;
