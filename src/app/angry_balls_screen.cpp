@@ -68,6 +68,7 @@ void AngryBallsScreen::resize(const View& view) {
     strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
   viewport_ = level_viewport(layout_.world, game().level());
+  session_.sounds.turn(false);
   pointer_ = viewport_.to_window(game().launch_place());
   place_parts();
 }

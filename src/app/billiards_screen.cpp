@@ -56,6 +56,7 @@ void BilliardsScreen::resize(const View& view) {
     strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   bar_.resize(view, layout_.bar);
   viewport_ = table_viewport(layout_.world.inset(view.px(8)), game().world().scene());
+  session_.sounds.turn(viewport_.turned());
   if (question_) question_->dialog.resize(view);
   if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view);
   pointer_ = viewport_.to_window(billiards::cue_start);

@@ -14,8 +14,9 @@ float strength(double speed) {
 }
 
 /// Less than the table's width: nothing is heard by one ear alone.
-float pan(carom::Vec2 at, const carom::Scene& scene) {
-  return static_cast<float>(std::clamp(1.4 * at.x / scene.width - 0.7, -0.7, 0.7));
+float pan(const Sounds& sounds, carom::Vec2 at, const carom::Scene& scene) {
+  const double across = sounds.turned() ? 1 - at.y / scene.height : at.x / scene.width;
+  return static_cast<float>(std::clamp(1.4 * across - 0.7, -0.7, 0.7));
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ void note_contacts(Sounds& sounds, std::span<const carom::Event> events, const c
   using carom::EventKind;
   for (const carom::Event& event : events) {
     const auto note = [&](SoundKind kind, float strong) {
-      sounds.note({kind, strong, pan(event.position, scene)});
+      sounds.note({kind, strong, pan(sounds, event.position, scene)});
     };
     const double speed = carom::length(event.deviation);
     switch (event.kind) {
@@ -59,7 +60,7 @@ void note_contacts(Sounds& sounds, std::span<const carom::Event> events, const c
 void note_launch(Sounds& sounds, const carom::Ball& lead, const carom::Scene& scene) {
   const double speed = carom::length(lead.velocity) / games::max_launch_speed;
   sounds.note({lead.role == carom::Role::cue ? SoundKind::cue : SoundKind::sling,
-               static_cast<float>(std::clamp(speed, 0.1, 1.0)), pan(lead.position, scene)});
+               static_cast<float>(std::clamp(speed, 0.1, 1.0)), pan(sounds, lead.position, scene)});
 }
 
 }  // namespace app

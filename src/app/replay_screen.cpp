@@ -129,6 +129,7 @@ void ReplayScreen::resize(const View& view) {
   const carom::Scene& scene = replay::world(player_.game()).scene();
   viewport_ = player_.replay().level ? level_viewport(world_, *player_.replay().level)
                                      : table_viewport(world_.inset(view.px(6)), scene);
+  session_.sounds.turn(viewport_.turned());
 }
 
 Transition ReplayScreen::event(const Input& input) {

@@ -56,8 +56,12 @@ class Sounds {
     return taken;
   }
   bool empty() const { return events_.empty(); }
+  /// Whether the world is seen turned by a quarter to the left: it is heard as it is seen.
+  void turn(bool turned) { turned_ = turned; }
+  bool turned() const { return turned_; }
 
  private:
+  bool turned_ = false;
   std::vector<SoundEvent> events_;
 };
 

@@ -19,6 +19,7 @@ class Viewport {
   Rect to_window(carom::Vec2 from, carom::Vec2 to) const;
   /// The vector of the world that is seen as `way` (y up).
   carom::Vec2 seen_as(carom::Vec2 way) const { return turned_ ? carom::Vec2{way.y, -way.x} : way; }
+  bool turned() const { return turned_; }
   /// Window px a world px.
   double scale() const { return scale_; }
   float px(double world_length) const { return static_cast<float>(world_length * scale_); }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
+#include "app/billiards_screen.hpp"
 #include "app/game_sounds.hpp"
 #include "app/player.hpp"
 #include "games/billiards.hpp"
@@ -89,6 +90,26 @@ TEST(GameSounds, ComeFromWhereTheyAre) {
   EXPECT_EQ(taken[1].kind, SoundKind::cushion);
   EXPECT_FLOAT_EQ(taken[1].strength, 0.3f);
   EXPECT_LT(taken[1].pan, -0.6f);
+}
+
+TEST(GameSounds, AreHeardWhereTheyAreSeenOnATableThatStandsUpright) {
+  app::MemoryStore store;
+  app::MemoryClipboard clipboard;
+  app::Session session{store, clipboard, {}};
+  app::BilliardsScreen screen{app::Words(app::Language::english), session};
+  const carom::Scene table = games::billiards::rack();
+  const auto pan_of = [&](carom::Vec2 at) {
+    const carom::Event event{
+        .kind = carom::EventKind::cushion, .position = at, .deviation = {0, 900}};
+    app::note_contacts(session.sounds, {&event, 1}, table, false);
+    return session.sounds.take().front().pan;
+  };
+  screen.resize(app::View::of(390, 844));
+  EXPECT_NEAR(pan_of({790, 200}), 0, 1e-6) << "the far end";
+  EXPECT_LT(pan_of({200, 390}), -0.6f) << "its left rail";
+  EXPECT_GT(pan_of({200, 10}), 0.6f);
+  screen.resize(app::View::of(1280, 720));
+  EXPECT_GT(pan_of({790, 200}), 0.6f);
 }
 
 TEST(GameSounds, ABallThatComesToLieFallsSilent) {
