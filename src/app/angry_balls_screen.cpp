@@ -103,6 +103,8 @@ Transition AngryBallsScreen::event(const Input& input) {
           !question_ && !std::holds_alternative<Over>(state_) && !(launcher && launcher->held()),
           std::holds_alternative<WatchThrow>(state_) && !on_button()))
     return Transition::stay;
+  // A key that is let go is so beneath a question, too.
+  if (launcher && std::holds_alternative<KeyReleased>(input)) launcher->event(input, stage());
   if (question_) {
     const auto chosen = question_->event(input);
     if (!chosen) return Transition::stay;
@@ -120,6 +122,8 @@ Transition AngryBallsScreen::event(const Input& input) {
       if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) follow_phase();
       return Transition::stay;
     }
+    // First what is held is let go.
+    if (launcher->held() && std::holds_alternative<KeyPressed>(input)) return Transition::stay;
   }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.

@@ -78,7 +78,7 @@ void App::event(const Input& input) {
     if (const auto key = meaning(pressed->key))
       give(KeyPressed{*key, pressed->shift, pressed->ctrl});
   } else if (const auto* released = std::get_if<KeyReleased>(&input)) {
-    if (const auto key = meaning(released->key)) give(KeyReleased{*key});
+    if (const auto key = session_.keyboard.bindings.meaning(released->key)) give(KeyReleased{*key});
   } else {
     give(input);
   }
@@ -102,7 +102,8 @@ void App::mute() {
   Settings settings = session_.settings.get();
   settings.mute = !settings.mute;
   session_.settings.set(settings);
-  toast_.show(words_(settings.mute ? Text::sound_off : Text::sound_on));
+  toast_.show(words_(settings.mute ? Text::sound_off : Text::sound_on,
+                     {session_.keyboard.name(Command::mute)}));
 }
 
 /// In the settings, once they were changed.
@@ -111,6 +112,7 @@ void App::keep_keys() {
   if (settings.keys == session_.keyboard.bindings) return;
   settings.keys = session_.keyboard.bindings;
   session_.settings.set(std::move(settings));
+  screen_->resize(view_);  // buttons name keys
 }
 
 std::vector<SoundEvent> App::take_sounds() {
@@ -120,7 +122,7 @@ std::vector<SoundEvent> App::take_sounds() {
 }
 
 /// Texts and buttons are for the hand used last. Buttons grow for fingers as soon as the first is
-/// lifted: nothing moves beneath one.
+/// lifted, and shrink once the mouse lets go: nothing moves beneath either.
 void App::note_hand(const Input& input) {
   const auto* moved = std::get_if<PadMoved>(&input);
   if (std::holds_alternative<Finger>(input))
@@ -131,18 +133,23 @@ void App::note_hand(const Input& input) {
            // A finger may press keys too: those of the screen's keyboard.
            (std::holds_alternative<KeyPressed>(input) && words_.hand() == Hand::pad))
     words_.take_hand(Hand::mouse);
-  const bool touch = words_.hand() == Hand::finger;
-  const bool held = !fingers_.none() || std::holds_alternative<PointerPressed>(input);
-  if (touch == view_.touch || held) return;
-  view_.touch = touch;
+  if (std::holds_alternative<PointerPressed>(input)) mouse_held_ = true;
+  if (std::holds_alternative<PointerReleased>(input)) mouse_held_ = false;
+  if (words_.hand() == laid_out_for_ || mouse_held_ || !fingers_.none()) return;
+  laid_out_for_ = words_.hand();
+  view_.touch = laid_out_for_ == Hand::finger;
   screen_->resize(view_);
   if (help_) help_->resize(view_);
 }
 
 void App::give(const Input& input) {
+  if (std::holds_alternative<KeyReleased>(input)) {
+    // It may have been pressed before something came to lie over the screen.
+    for (const auto& screen : below_) screen->event(input);
+    return go(screen_->event(input));
+  }
   if (presses_button(input)) session_.sounds.note({SoundKind::click});
   if (help_) {
-    if (std::holds_alternative<KeyReleased>(input)) go(screen_->event(input));
     if (!help_->event(input)) help_.reset();
     keep_keys();
     return;
@@ -201,6 +208,7 @@ void App::teach_beginners() {
 
 void App::watch(replay::Replay replay) {
   session_.to_watch = std::move(replay);
+  screen_->event(PointerCancelled{});
   go(Transition::replay);
 }
 
@@ -235,7 +243,8 @@ void App::play(Level level) {
   campaign.current = index.value_or(campaign.levels.size());
   if (!index) campaign.levels.push_back(std::move(level));
   campaign.practice = false;
-  go(Transition::level);
+  session_.level_opened = session_.kept.of(replay::Kind::angry_balls).has_value();
+  go(session_.level_opened ? Transition::title : Transition::level);
 }
 
 void App::refuse(Text title, std::string line) {

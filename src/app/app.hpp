@@ -38,7 +38,8 @@ class App {
   void name_keys(std::function<std::string(Key)> label) {
     session_.keyboard.label = std::move(label);
   }
-  /// Shows a replay; closing it leads back to what was on screen.
+  /// Shows a replay; closing it leads back to what was on screen, of which nothing is held any
+  /// more.
   void watch(replay::Replay replay);
   /// Opens what a link carries behind the address, "#replay=TEXT" or "#level=TEXT"; tells the
   /// player if it is wrong. A link without either changes nothing.
@@ -98,6 +99,8 @@ class App {
   /// outside at any time.
   std::vector<std::unique_ptr<Screen>> below_;
   std::optional<Help> help_;  ///< over the screen, which waits
+  Hand laid_out_for_{};
+  bool mouse_held_ = false;
   Fingers fingers_;
   Pad pad_;
   nanoseconds quiet_{};  ///< since the last input

@@ -46,10 +46,12 @@ BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Billiards
       bar_(words),
       strip_(words) {
   announce_turn(game().player(), {});
+  pointer_ = viewport_.to_window(billiards::cue_start);
   follow_phase();
 }
 
 void BilliardsScreen::resize(const View& view) {
+  const carom::Vec2 pointed = viewport_.to_world(pointer_);
   view_ = view;
   layout_ = GameLayout::of(view);
   if (played_.practice())
@@ -59,7 +61,14 @@ void BilliardsScreen::resize(const View& view) {
   session_.sounds.turn(viewport_.turned());
   if (question_) question_->dialog.resize(view);
   if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view);
-  pointer_ = viewport_.to_window(billiards::cue_start);
+  // The ball in hand stays where it was carried.
+  pointer_ = viewport_.to_window(pointed);
+  find_pointer();
+}
+
+/// Keys and sticks find the ball in hand on the table.
+void BilliardsScreen::find_pointer() {
+  if (!table_area().contains(pointer_)) pointer_ = viewport_.to_window(billiards::cue_start);
 }
 
 Transition BilliardsScreen::event(const Input& input) {
@@ -74,6 +83,8 @@ Transition BilliardsScreen::event(const Input& input) {
                   !question_ && game().phase() != Phase::over && !(launcher && launcher->held()),
                   std::holds_alternative<WatchShot>(state_) && !on_button()))
     return Transition::stay;
+  // A key that is let go is so beneath a question, too.
+  if (launcher && std::holds_alternative<KeyReleased>(input)) launcher->event(input, stage());
   if (question_) {
     const auto chosen = question_->dialog.event(input);
     if (!chosen) return Transition::stay;
@@ -90,6 +101,8 @@ Transition BilliardsScreen::event(const Input& input) {
       if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) follow_phase();
       return Transition::stay;
     }
+    // First what is held is let go.
+    if (launcher->held() && std::holds_alternative<KeyPressed>(input)) return Transition::stay;
   }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
@@ -253,8 +266,7 @@ void BilliardsScreen::follow_phase() {
       if (!session_.calm()) foresight_.begin(game());
       break;
     case Phase::place:
-      // Keys and sticks find it on the table.
-      if (!table_area().contains(pointer_)) pointer_ = viewport_.to_window(billiards::cue_start);
+      find_pointer();
       state_ = PlaceBall{};
       break;
     case Phase::over:

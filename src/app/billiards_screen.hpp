@@ -72,6 +72,7 @@ class BilliardsScreen final : public Screen {
   Transition finish(std::size_t button);
   void place(Point at);
   bool steer_place(const Input& input);
+  void find_pointer();
   bool on_button() const;
   Launcher::Stage stage() const;
   Rect table_area() const;

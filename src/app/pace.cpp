@@ -19,7 +19,8 @@ bool Pace::event(const Input& input, bool free, bool watches) {
     const bool ends =
         std::holds_alternative<KeyPressed>(input) || std::holds_alternative<PointerPressed>(input);
     if (ends) paused_ = false;
-    return ends;
+    return ends || std::holds_alternative<TextTyped>(input) ||
+           std::holds_alternative<WheelTurned>(input);
   }
   if (!free) return false;
   if (std::holds_alternative<PointerPressed>(input) && watches) pressed_ = nanoseconds{0};

@@ -66,6 +66,7 @@ struct Session {
   bool teach = false;                      ///< how to shoot is not known yet
   std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
   replay::Kind to_continue{};              ///< what Transition::load goes on with
+  bool level_opened = false;  ///< the current one is played if the game kept is given up
   /// What Transition::resume goes on with.
   std::optional<std::variant<BilliardsRecorder, LevelRecorder>> loaded;
 };

@@ -57,6 +57,8 @@ TitleScreen::TitleScreen(const Words& words, Session& session)
     if (auto player = replay::Player::create(*kept)) ahead_ = std::move(player).value();
   if (const auto notice = std::exchange(session.notice, {}))
     tell(notice->title, notice->line);
+  else if ((level_opened_ = std::exchange(session.level_opened, false)))
+    choose(Choice::angry_balls);
   else
     tell_refused();
 }
@@ -123,7 +125,7 @@ std::string TitleScreen::offer(Kind kind) const {
   const Level level = level_of(*game.level);
   if (const auto index = session_.campaign.find(level.identity))
     return words_(Text::continue_level, {words_.number(static_cast<int>(*index) + 1)});
-  return words_(Text::continue_named_level, {level.name});
+  return words_(Text::continue_named_level, {words_.level_name(level.name)});
 }
 
 /// "Level 1: First steps"; only the name of one that is no longer on offer.
@@ -250,7 +252,10 @@ Transition TitleScreen::answer(std::size_t button) {
   }
   const bool table = *about == Choice::billiards;
   if (button == 0) return proceed(table ? Choice::continue_billiards : Choice::continue_level);
-  if (button == 2) return Transition::stay;
+  if (button == 2) {
+    level_opened_ = false;
+    return Transition::stay;
+  }
   session_.kept.forget(table ? Kind::billiards : Kind::angry_balls);
   return proceed(*about);
 }
@@ -267,7 +272,7 @@ Transition TitleScreen::proceed(Choice choice) {
     case Choice::practice_table:
       return Transition::practice_table;
     case Choice::angry_balls:
-      return Transition::levels;
+      return level_opened_ ? Transition::level : Transition::levels;
     case Choice::replays:
       return Transition::replays;
     case Choice::settings:

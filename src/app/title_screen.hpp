@@ -61,6 +61,7 @@ class TitleScreen final : public Screen {
   std::vector<Choice> choices_;  ///< of the buttons
   View view_;
   std::optional<Question> question_;
+  bool level_opened_ = false;            ///< Session::level_opened, until it is answered
   std::optional<replay::Player> ahead_;  ///< plays the game kept, until who is to play is known
   std::optional<std::ptrdiff_t> to_play_;
   Buttons buttons_;

@@ -180,6 +180,15 @@ TEST(Continue, ALevelThatIsNoLongerOnOffer) {
   EXPECT_TRUE(game.says("Level 11: Random")) << game.title();
 }
 
+TEST(Continue, ALevelWithoutANameIsOfferedAllTheSame) {
+  app::MemoryStore store;
+  replay::Replay kept = replay::read_json(content("tests/replays/level-random-lost.json")).value();
+  kept.level->name.clear();
+  ASSERT_TRUE(store.save(level_file, replay::write_json(kept)));
+  Start game(store);
+  EXPECT_TRUE(game.shows("Continue: Unnamed level"));
+}
+
 TEST(Continue, AGameGivenUpIsNoLongerOffered) {
   app::MemoryStore store;
   {
