@@ -148,10 +148,10 @@ canvas.addEventListener("keydown", (event) => {
   // Control itself, too: else the game would take the C for a bare one.
   const own = event.key === "Control" ||
     ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "c");
-  // Keys of the browser's stay its own; a paste comes as an event of its own.
+  // Keys of the browser's stay its own, but for F1 and F10; a paste comes as an event of its own.
   const foreign = (event.ctrlKey || event.metaKey || event.altKey) && !own;
   const leaves = event.key === "Tab" && leaving;
-  if (pasting || foreign || leaves || /^F\d+$/.test(event.key)) event.stopImmediatePropagation();
+  if (pasting || foreign || leaves || /^F(?!10?$)\d/.test(event.key)) event.stopImmediatePropagation();
   leaving = event.key === "Escape" || (leaving && event.key === "Shift");
 }, true);
 document.addEventListener("paste", (event) => {
@@ -164,6 +164,7 @@ canvas.getContext = (kind, options) =>
   getContext.call(canvas, kind, { ...options, preserveDrawingBuffer: true });
 canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 canvas.addEventListener("pointerdown", () => canvas.focus());
+canvas.addEventListener("touchcancel", () => Module._web_cancel && Module._web_cancel(), true);
 
 part("file").addEventListener("change", (event) => {
   openFiles([...event.target.files]);

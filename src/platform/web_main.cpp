@@ -39,6 +39,7 @@ class PageClipboard final : public app::Clipboard {
     return true;  // the page tells the player if it did not work
   }
   void paste(std::string text) { pasted_ = std::move(text); }
+  void forget() { pasted_.reset(); }
 
  private:
   std::optional<std::string> pasted_;
@@ -87,6 +88,12 @@ EMSCRIPTEN_KEEPALIVE void web_paste(char* text, std::size_t size) {
   clipboard.paste(std::string(text, size));
   std::free(text);
   if (window) window->app().event(app::KeyPressed{app::Key::paste});
+  clipboard.forget();  // where nothing takes it, it is not to come later
+}
+
+/// The browser has taken a touch away, which SDL tells as a finger that was lifted: no shot.
+EMSCRIPTEN_KEEPALIVE void web_cancel() {
+  if (window) window->app().event(app::PointerCancelled{});
 }
 
 /// Unseen the game stands still; a page that is hidden gets no frames anyway, but not every browser

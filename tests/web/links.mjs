@@ -29,6 +29,21 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   check(await copied() === `${game.address}#replay=${text}`,
     `another link than the one opened, in ${shown}`);
 
+  // What is pasted where nothing takes it does not come later.
+  const write = (pasted) => game.page.evaluate((text) => navigator.clipboard.writeText(text), pasted);
+  await game.open();
+  await game.press("Enter"); // Billiards
+  await game.waitFor("Player 1 aims");
+  await write("not this");
+  await game.press("Control+v");
+  await write(text);
+  await game.press("Escape");
+  await game.waitFor("title screen");
+  await game.press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter"); // Replays
+  await game.waitFor("Saved replays");
+  await game.press("Tab", "Tab", "Enter"); // Paste, behind the one saved
+  await game.waitFor("replay · Billiards");
+
   await game.open(`#level=${level}`);
   await game.waitFor("Level 2: Two towers");
 

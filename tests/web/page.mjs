@@ -34,6 +34,13 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   check(await focused() === "canvas", "there is no way back to the game");
   await game.press("Escape", "Shift+Tab");
   check(await focused() !== "canvas", "there is no way out backwards");
+  await game.open();
+  for (const [key, screen] of [["F10", "Settings"], ["F1", "Help"]]) {
+    await game.press(key);
+    await game.waitFor(screen);
+    await game.press("Escape");
+    await game.waitFor("title screen");
+  }
   const live = await game.page.evaluate(() => {
     const region = document.getElementById("live");
     return [region.getAttribute("role"), region.getAttribute("aria-live"), region.hidden];

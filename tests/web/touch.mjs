@@ -40,6 +40,14 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     await touch("touchStart", [259, 208]);
     for (let x = 240; x >= 60; x -= 20) await touch("touchMove", [x, 207]);
     check((await game.live()).includes("Player 1 aims"), "shot before the finger is lifted");
+    // A touch that the browser takes away, for a gesture of its own, lets nothing go.
+    await touch("touchCancel");
+    await game.page.waitForTimeout(300);
+    check((await game.live()).includes("Player 1 aims"), "shot by a touch that was taken away");
+    // SDL tries to cancel that event, too; the browser remarks on it.
+    game.errors = game.errors.filter((error) => !error.includes("touchcancel"));
+    await touch("touchStart", [259, 208]);
+    for (let x = 240; x >= 60; x -= 20) await touch("touchMove", [x, 207]);
     await touch("touchEnd");
     await game.waitFor("Player 1 watches");
     const after = await game.waitFor("Player 2 aims", "Player 2 places");
