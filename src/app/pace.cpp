@@ -7,8 +7,9 @@
 namespace app {
 
 bool Pace::event(const Input& input, bool free, bool watches) {
+  // Under the settings it is let go unheard.
   if (std::holds_alternative<PointerReleased>(input) ||
-      std::holds_alternative<PointerCancelled>(input))
+      std::holds_alternative<PointerCancelled>(input) || is_key(input, Key::settings))
     pressed_.reset();
   if (const auto* released = std::get_if<KeyReleased>(&input)) {
     if (released->key == Key::f) fast_ = false;

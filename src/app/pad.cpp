@@ -96,7 +96,9 @@ std::vector<Input> Pad::event(const Input& input, bool steers) {
     hold(key);
     return {KeyPressed{*key}};
   }
+  const bool hurries = axes_[static_cast<std::size_t>(PadAxis::right_trigger)] > flick;
   *this = {};
+  if (hurries) return {KeyReleased{Key::f}};
   return {};
 }
 

@@ -74,34 +74,6 @@ class Interruptions : public testing::Test {
   Player game{app::Language::english, 1280, 720, {}, store};
 };
 
-TEST_F(Interruptions, ReplaysOpenedOneOverTheOtherLeadBackToTheGame) {
-  game.press("Billiards");
-  game.key(Key::settings);
-  for (const char* name : {"level-01-won.json", "billiards-whole.json"})
-    game.app().open_file(name, replay_file(name));
-  game.key(Key::escape);
-  EXPECT_TRUE(game.says("replay · First steps")) << game.title();
-  game.key(Key::escape);
-  EXPECT_TRUE(game.says("Settings")) << game.title();
-  game.key(Key::escape);
-  EXPECT_TRUE(game.says("Player 1 aims")) << game.title();
-  game.key(Key::settings);
-  game.app().open_file("wrong", "{}");
-  game.press("OK");
-  game.key(Key::settings);
-  game.key(Key::escape);
-  EXPECT_TRUE(game.says("title screen")) << game.title();
-}
-
-TEST_F(Interruptions, AFileIsSeenThoughHelpWasRead) {
-  game.key(Key::help);
-  game.app().open_file("x", replay_file("level-01-won.json"));
-  EXPECT_TRUE(game.says("replay · First steps")) << game.title();
-  game.key(Key::help);
-  game.app().open_file("mine.json", own_level);
-  EXPECT_TRUE(game.says("Mine")) << game.title();
-}
-
 TEST_F(Interruptions, AKeyLetGoUnderAnotherScreenIsLetGo) {
   game.press("Billiards");
   shoot();
@@ -114,6 +86,25 @@ TEST_F(Interruptions, AKeyLetGoUnderAnotherScreenIsLetGo) {
     game.key(Key::escape);
     EXPECT_EQ(pace(), 10U) << game.title();
   }
+}
+
+TEST_F(Interruptions, SoIsATriggerAndAPressOnTheTable) {
+  game.press("Billiards");
+  shoot();
+  game.app().event(app::PadMoved{app::PadAxis::right_trigger, 1});
+  EXPECT_EQ(pace(), 40U);
+  game.key(Key::settings);
+  game.app().event(app::PadMoved{app::PadAxis::right_trigger, 0});
+  game.key(Key::escape);
+  EXPECT_EQ(pace(), 10U);
+  press_at({640, 360});
+  pace();
+  pace();
+  game.key(Key::settings);
+  release_at({640, 360});
+  game.key(Key::escape);
+  game.pass(300ms);
+  EXPECT_EQ(pace(), 10U);
 }
 
 TEST_F(Interruptions, TheSameOfALetterOfThePlayersOwn) {

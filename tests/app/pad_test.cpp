@@ -44,6 +44,10 @@ TEST_F(PadTest, TheRightTriggerIsTheKeyThatHurries) {
   ASSERT_EQ(let_go.size(), 1u);
   EXPECT_EQ(std::get<app::KeyReleased>(let_go[0]).key, Key::f);
   EXPECT_TRUE(move(PadAxis::right_trigger, 1, true).empty()) << "it makes the throw stronger";
+  const auto unplugged = pad.event(app::PadUnplugged{}, false);
+  ASSERT_EQ(unplugged.size(), 1u) << "all is let go";
+  EXPECT_EQ(std::get<app::KeyReleased>(unplugged[0]).key, Key::f);
+  EXPECT_TRUE(pad.event(app::PadUnplugged{}, false).empty());
 }
 
 TEST_F(PadTest, TheCrossRepeatsUntilItIsLetGo) {
