@@ -10,12 +10,12 @@
 #include <initializer_list>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "carom/scene.hpp"
 #include "files/files.hpp"
+#include "tool/counted.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/quadtree.hpp"
 #include "tool/scene_input.hpp"
@@ -83,10 +83,6 @@ std::string side_text(double side) {
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), side,
                                  std::chars_format::general, 6);
   return {digits.data(), end.ptr};
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
 }
 
 void summarise(const carom::Scene& scene, const Tree& tree, std::FILE* out) {

@@ -18,6 +18,7 @@
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
+#include "tool/counted.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
 
@@ -35,10 +36,6 @@ struct ReplayOptions {
   std::string trace;
   std::string against;
 };
-
-std::string counted(std::uint64_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 std::string score_text(const replay::Replay& replay, const std::array<int, 2>& score) {
   std::string text = std::to_string(score[0]);
