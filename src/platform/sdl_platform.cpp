@@ -86,7 +86,10 @@ class SdlWindow final : public GameWindow {
     app_.teach_beginners();
   }
 
-  app::App& app() override { return app_; }
+  app::App& app() override {
+    stale_ = true;  // whoever asks for it may change what is to be seen
+    return app_;
+  }
 
   bool iterate() override {
     const bool idle = !stale_ && !app_.animating();

@@ -19,6 +19,11 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
   await game.waitFor("This file cannot be opened");
   await game.press("Enter");
   await game.waitFor("title screen");
+  await game.page.waitForTimeout(300); // all is drawn, and stands still
+  await game.drop("broken.json", level.slice(0, 300));
+  await game.waitFor("This file cannot be opened");
+  await game.press("Enter");
+  await game.waitFor("title screen");
 
   // The level dropped is there at the next visit.
   await game.reload();
