@@ -56,22 +56,19 @@ void AimEntry::apply(Aim& aim) const {
 
 void AimEntry::draw(Canvas& canvas, const Rect& area, const Words& words) const {
   const float gap = canvas.px(8);
-  const float height = canvas.px(44);
-  const float width = std::min(canvas.px(380), area.w - 2 * gap);
-  const Rect panel = centered({area.center().x, area.y + height / 2 + gap}, width, height);
-  fill_rounded(canvas.list, panel, canvas.px(8), palette::panel, canvas.px(3));
-  stroke_rounded(canvas.list, panel, canvas.px(8), canvas.px(1), palette::panel_edge);
-  Rect rest = panel.inset(gap, canvas.px(6));
-  const std::array boxes{rest.cut_left((rest.w - gap) / 2), rest};
+  Rect rest = area;
+  // A speed has the longer unit.
+  const Rect first = rest.cut_left((rest.w - gap) * 0.44f);
+  rest.cut_left(gap);
+  const std::array boxes{first, rest};
   for (const Field field : {angle, speed}) {
     const bool focused = field == field_;
-    Rect box = boxes[field];
-    if (field == speed) box.cut_left(gap);
+    const Rect& box = boxes[field];
     fill_rounded(canvas.list, box, canvas.px(5), palette::slate_bottom);
     stroke_rounded(canvas.list, box, canvas.px(5), canvas.px(focused ? 2 : 1),
                    focused ? palette::brass : palette::panel_edge);
     const std::string typed = text_[field] + (focused ? "|" : text_[field].empty() ? "–" : "");
-    label(canvas, box.inset(canvas.px(8), 0),
+    label(canvas, box.inset(canvas.px(4), 0),
           {Face::bold, 18, focused ? palette::cream : palette::muted, Align::center},
           words(field == angle ? Text::entered_angle : Text::entered_speed, {typed}));
   }

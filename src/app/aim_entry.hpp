@@ -24,7 +24,7 @@ class AimEntry {
   /// Sets what is typed: an angle, and a speed as Aim::set_speed() takes it. What is no number
   /// changes nothing.
   void apply(Aim& aim) const;
-  /// In the middle of the top of `area`.
+  /// Fills `area`.
   void draw(Canvas& canvas, const Rect& area, const Words& words) const;
 
   /// Nothing is typed.

@@ -223,8 +223,8 @@ Rect shoot_button(const View& view, const Rect& footer) {
   return rest.cut_left(view.px(112));
 }
 
-void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& words,
-                 const std::string& hint, Color color, bool shoot) {
+void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
+                 const Words& words, const std::string& hint, Color color, bool shoot) {
   Rect rest = area.inset(canvas.px(16), canvas.px(4));
   if (aim && aim->active()) {
     const Rect meter = strength_meter(canvas.view, area);
@@ -232,7 +232,10 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& 
       rest.cut_top(meter.h);
     else
       rest.cut_right(meter.w + canvas.px(16));
-    draw_meter(canvas, meter, *aim, words);
+    if (entry)
+      entry->draw(canvas, meter, words);
+    else
+      draw_meter(canvas, meter, *aim, words);
   }
   if (shoot) {
     const Rect box = shoot_button(canvas.view, area);

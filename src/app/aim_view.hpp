@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/aim.hpp"
+#include "app/aim_entry.hpp"
 #include "app/canvas.hpp"
 #include "app/preview.hpp"
 #include "app/text.hpp"
@@ -24,8 +25,9 @@ Rect strength_meter(const View& view, const Rect& footer);
 Rect shoot_button(const View& view, const Rect& footer);
 
 /// The line below the world: what the player can do now, and while a launch is aimed its angle and
-/// speed in numbers, and its strength on a bar up to the greatest. `shoot`: the button is there.
-void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const Words& words,
-                 const std::string& hint, Color color, bool shoot = false);
+/// speed in numbers, and its strength on a bar up to the greatest, or in their place the fields of
+/// `entry`. `shoot`: the button is there.
+void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
+                 const Words& words, const std::string& hint, Color color, bool shoot = false);
 
 }  // namespace app

@@ -409,10 +409,10 @@ void AngryBallsScreen::draw(Canvas& canvas) const {
 
   if (bars_last) draw_bars(canvas);
   if (played_.practice()) strip_.draw(canvas);
-  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
+  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr,
+              launcher && launcher->entry ? &*launcher->entry : nullptr, words_, hint(),
               hint_color(*canvas.list.palette),
               launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
-  if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   const auto* over = std::get_if<Over>(&state_);
   if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
   if (question_) question_->draw(canvas);

@@ -395,10 +395,10 @@ void BilliardsScreen::draw(Canvas& canvas) const {
   effects_.draw_over_balls(canvas, viewport_, table_area());
   pace_.draw_veil(canvas, layout_.world, words_);
   if (played_.practice()) strip_.draw(canvas);
-  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr, words_, hint(),
+  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr,
+              launcher && launcher->entry ? &*launcher->entry : nullptr, words_, hint(),
               hint_color(*canvas.list.palette),
               launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
-  if (launcher && launcher->entry) launcher->entry->draw(canvas, layout_.world, words_);
   if (const auto* over = std::get_if<Over>(&state_)) over->dialog.draw(canvas);
   if (question_) question_->dialog.draw(canvas);
 }

@@ -263,6 +263,10 @@ TEST_P(Layout, AimByPullKeysAndNumbers) {
     key(app::Key::tab);
     for (const char sign : std::string("1234.567")) game.app().event(app::TextTyped{{sign}});
     check();
+    const app::Rect world = app::GameLayout::of(app::View::of(size.width, size.height)).world;
+    for (const Box& box : game.boxes())
+      EXPECT_FALSE(box.text.find("567") != std::string::npos && box.area.overlaps(world))
+          << describe(box) << " covers the game";
     key(app::Key::enter);
     check();
     key(app::Key::escape);
