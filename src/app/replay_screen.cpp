@@ -40,7 +40,7 @@ constexpr std::array<NamedSpeed, 7> speeds{{{slow_motion, "¼"},
                                             {{64}, "16"}}};
 constexpr std::size_t first_speed = 2;
 
-constexpr float least_turn_width = 4;  ///< px: denser marks would only be a grey bar
+constexpr float least_mark_width = 3;  ///< units: narrower ones would only be a grey bar
 
 /// Turn and status stand below the buttons, the players are not named.
 bool tight(const View& view) { return view.width < view.px(960); }
@@ -364,32 +364,44 @@ void ReplayScreen::draw_bottom(Canvas& canvas) const {
         elided(canvas, hint, message_.empty() ? words_(Text::hint_replay) : message_, hint_.w));
 }
 
-/// The whole game from left to right, a part a turn.
+/// The whole game from left to right, a mark a turn.
 void ReplayScreen::draw_timeline(Canvas& canvas) const {
   DrawList& list = canvas.list;
-  const float radius = canvas.px(5);
-  fill_rounded(list, timeline_, radius, palette::panel);
+  fill_rounded(list, timeline_, canvas.px(5), palette::panel);
   const auto& turns = player_.turns();
   const auto total = static_cast<float>(std::max<std::uint64_t>(total_steps(), 1));
   const auto x_of = [&](std::uint64_t step) {
     return timeline_.x + timeline_.w * static_cast<float>(step) / total;
   };
-  const bool dense = timeline_.w < least_turn_width * static_cast<float>(turns.size());
   const bool table = !player_.replay().level;
-  for (std::size_t i = 0; i < turns.size() && !dense; ++i) {
-    const float from = x_of(turns[i].first_step);
-    const float to = x_of(turns[i].first_step + turns[i].steps);
-    const bool reached = i < player_.reached_turns();
+  const float least = canvas.px(least_mark_width);
+  for (std::size_t end = 0; end < turns.size();) {
+    const std::size_t first = end;
+    const float from = x_of(turns[first].first_step);
+    float to = from;
+    bool scored = false;
+    // Neighbours that would be too narrow to be told apart share a mark.
+    do {
+      const replay::Turn& turn = turns[end];
+      to = x_of(turn.first_step + turn.steps);
+      scored = scored || (end < player_.reached_turns() && turn.points > 0);
+      ++end;
+    } while (end < turns.size() && to - from < least &&
+             x_of(turns[end].first_step + turns[end].steps) - to < least);
+    const std::size_t last = end - 1;
     const auto& wrong = player_.divergence();
-    const Color accent = wrong && i >= wrong->turn ? list.palette->refused
-                         : table ? list.palette->accents[static_cast<std::size_t>(turns[i].player)]
-                                 : list.palette->accents[i % 2];
+    const Color accent = wrong && last >= wrong->turn ? list.palette->refused
+                         : last > first               ? palette::muted
+                         : table
+                             ? list.palette->accents[static_cast<std::size_t>(turns[first].player)]
+                             : list.palette->accents[first % 2];
     const Rect box{from, timeline_.y, std::max(to - from - 1, 1.0f), timeline_.h};
-    fill_rounded(list, box, canvas.px(3), faded(accent, reached ? 0.55f : 0.2f));
+    const float radius = std::min(canvas.px(3), box.w / 4);
+    fill_rounded(list, box, radius, faded(accent, last < player_.reached_turns() ? 0.55f : 0.2f));
     // What brought points has a lit top.
-    if (reached && turns[i].points > 0) {
+    if (scored) {
       Rect lit = box;
-      fill_rounded(list, lit.cut_top(canvas.px(5)), canvas.px(2), palette::brass_lit);
+      fill_rounded(list, lit.cut_top(canvas.px(5)), radius, palette::brass_lit);
     }
   }
   const float x = x_of(player_.steps());

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/palette.hpp"
 #include "app/player.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
@@ -171,6 +172,27 @@ TEST_F(Diverging, TellsTheTurnAndShowsNothingBeyond) {
   EXPECT_EQ(screen.player().turn(), 4u);
   key(Key::space);
   EXPECT_TRUE(says("playing"));
+}
+
+struct LongGame : ReplayScreenTest {
+  LongGame() : ReplayScreenTest(sound("billiards-whole.json")) {}
+};
+
+TEST_F(LongGame, ShowsItsTurnsAndPointsOnAPhoneToo) {
+  look_ahead();
+  app::Atlas atlas;
+  app::Font font{atlas};
+  for (const auto& [width, height] : {std::pair{1280, 720}, {390, 844}, {320, 568}}) {
+    const app::View view = app::View::of(width, height);
+    screen.resize(view);
+    app::DrawList list;
+    app::Canvas canvas{list, font, view};
+    screen.draw(canvas);
+    const auto lit = std::ranges::count_if(list.vertices, [&](const app::Vertex& vertex) {
+      return vertex.position.y > view.height / 2 && vertex.color == app::palette::brass_lit;
+    });
+    EXPECT_GT(lit, 40) << width;
+  }
 }
 
 TEST(Replays, AreWatchedAfterAGameAndFromTheList) {
