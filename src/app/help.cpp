@@ -12,18 +12,6 @@
 namespace app {
 namespace {
 
-struct Section {
-  Text title;
-  Text lines;
-};
-constexpr std::array sections{Section{Text::help_aim_title, Text::help_aim},
-                              Section{Text::help_menu_title, Text::help_menu},
-                              Section{Text::help_replay_title, Text::help_replay},
-                              Section{Text::help_game_title, Text::help_game},
-                              Section{Text::help_mouse_title, Text::help_mouse},
-                              Section{Text::help_touch_title, Text::help_touch},
-                              Section{Text::help_pad_title, Text::help_pad}};
-
 // Units.
 constexpr float line_height = 22;
 constexpr float title_height = 30;
@@ -33,6 +21,13 @@ constexpr float button_height = 48;
 constexpr float most_width = 1040;
 
 constexpr float key_share = 0.36f;  ///< of a column
+
+/// What tells how to play by a hand.
+Text own_section(Hand hand) {
+  return hand == Hand::finger ? Text::help_touch
+         : hand == Hand::pad  ? Text::help_pad
+                              : Text::help_aim;
+}
 
 }  // namespace
 
@@ -68,8 +63,24 @@ void Help::resize(const View& view) {
   lay_out();
 }
 
-/// Sections in columns, columns on pages; a section stays together if a column can hold it.
 void Help::lay_out() {
+  std::array in_order{Section{Text::help_aim_title, Text::help_aim},
+                      Section{Text::help_menu_title, Text::help_menu},
+                      Section{Text::help_replay_title, Text::help_replay},
+                      Section{Text::help_game_title, Text::help_game},
+                      Section{Text::help_mouse_title, Text::help_mouse},
+                      Section{Text::help_touch_title, Text::help_touch},
+                      Section{Text::help_pad_title, Text::help_pad}};
+  lay_out(in_order);
+  if (pages_ == 1) return;
+  // How one plays by the hand in use comes first.
+  const auto own = std::ranges::find(in_order, own_section(words_.hand()), &Section::lines);
+  std::rotate(in_order.begin(), own, own + 1);
+  lay_out(in_order);
+}
+
+/// Sections in columns, columns on pages; a section stays together if a column can hold it.
+void Help::lay_out(std::span<const Section> in_order) {
   lines_.clear();
   Rect area = frame_.inset(view_.px(16), view_.px(10));
   area.cut_top(view_.px(44));
@@ -91,7 +102,7 @@ void Help::lay_out() {
     lines_.push_back({column / columns, {x, y, width, height}, std::move(key), std::move(what)});
     y += height;
   };
-  for (const Section& section : sections) {
+  for (const Section& section : in_order) {
     const std::string text =
         words_(section.lines, {keyboard_.name(Command::again), keyboard_.name(Command::next),
                                keyboard_.name(Command::pause), keyboard_.name(Command::fast),

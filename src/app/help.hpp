@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/key_bindings.hpp"
@@ -33,7 +34,13 @@ class Help {
   enum Button : std::size_t { keys, close };
   enum Pager : std::size_t { previous, next };
 
+  struct Section {
+    Text title;
+    Text lines;
+  };
+
   void lay_out();
+  void lay_out(std::span<const Section> in_order);
   void turn(std::size_t by);
 
   Words words_;

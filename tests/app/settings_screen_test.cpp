@@ -67,6 +67,18 @@ TEST(SettingsScreen, TheHelpIsATapAway) {
   EXPECT_TRUE(game.says("Settings · General")) << game.title();
 }
 
+/// A phone shows a page of it at a time.
+TEST(SettingsScreen, TheHelpBeginsWithTheHandInUse) {
+  for (const bool finger : {false, true}) {
+    Player game(Language::english, 390, 844);
+    game.touches = finger;
+    game.press("Settings");
+    game.press("Help");
+    EXPECT_EQ(game.shows("Two taps"), finger);
+    EXPECT_EQ(game.shows("Turn by 1°"), true);
+  }
+}
+
 /// A press that slips off, and the right button, change nothing.
 TEST(SettingsScreen, OnlyAWholeClickCounts) {
   app::MemoryStore store;
