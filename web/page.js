@@ -107,7 +107,13 @@ var Module = {
   },
 
   askForPaste() {
-    const failed = () => toast(say("Press Ctrl+V to paste.", "Collez avec Ctrl+V."));
+    // A finger has no Ctrl+V. Later: the game is still asking.
+    const failed = () => setTimeout(() => {
+      if (!matchMedia("(pointer: coarse)").matches)
+        return toast(say("Press Ctrl+V to paste.", "Collez avec Ctrl+V."));
+      const text = prompt(say("Paste the replay here:", "Collez la partie ici :"));
+      if (text) give("web_paste", utf8(text));
+    });
     if (!navigator.clipboard || !navigator.clipboard.readText) failed();
     else navigator.clipboard.readText().then((text) => give("web_paste", utf8(text)), failed);
   },

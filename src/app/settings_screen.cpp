@@ -284,9 +284,18 @@ void SettingsScreen::change(Setting setting, int by) {
       break;
     case Setting::first_name:
     case Setting::second_name:
-      return;  // typed
+      ask_name(setting);
+      return;
   }
   set(std::move(settings));
+}
+
+/// A name is typed; a phone has no keys to do so.
+void SettingsScreen::ask_name(Setting setting) {
+  const auto& ask = session_.surroundings.ask_text;
+  if (words_.hand() != Hand::finger || !ask) return;
+  if (const auto name = ask(label_of(setting), typed_)) typed_ = name_of(*name, true);
+  focus(std::nullopt);
 }
 
 void SettingsScreen::set(Settings settings) {

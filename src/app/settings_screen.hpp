@@ -63,6 +63,7 @@ class SettingsScreen final : public Screen {
   void focus(std::optional<Control> control);
   void show(std::size_t page);
   void change(Setting setting, int by);
+  void ask_name(Setting setting);
   void set(Settings settings);
   void type(std::string_view text);
 

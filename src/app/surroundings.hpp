@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace app {
@@ -14,6 +15,9 @@ struct Surroundings {
   /// Lets the player choose a file, which comes by App::open_file() later; offered instead of
   /// quitting.
   std::function<void()> choose_file;
+  /// Asks a finger for a text, where no keyboard comes up by itself: what for, and what it is so
+  /// far; nothing if the player takes it back. Empty: it is typed.
+  std::function<std::optional<std::string>(const std::string&, const std::string&)> ask_text;
 };
 
 }  // namespace app

@@ -21,6 +21,10 @@ EM_JS(bool, page_reduces_motion, (), {
 EM_JS(void, page_copy, (const char* text), { Module.copy(UTF8ToString(text)); })
 EM_JS(void, page_ask_for_paste, (), { Module.askForPaste(); })
 EM_JS(void, page_choose_file, (), { Module.chooseFile(); })
+EM_JS(char*, page_ask_text, (const char* what, const char* text), {
+  const answer = prompt(UTF8ToString(what), UTF8ToString(text));
+  return answer === null ? 0 : allocateUTF8(answer);
+})
 EM_JS(void, page_ready, (), { Module.ready(); })
 // clang-format on
 
@@ -49,6 +53,11 @@ class PageClipboard final : public app::Clipboard {
 std::string taken(char* text) {
   const std::unique_ptr<char, decltype(&std::free)> owned(text, std::free);
   return owned.get();
+}
+
+std::optional<std::string> ask_text(const std::string& what, const std::string& text) {
+  char* const answer = page_ask_text(what.c_str(), text.c_str());
+  return answer ? std::optional(taken(answer)) : std::nullopt;
 }
 
 // They live as long as the page does.
@@ -120,7 +129,8 @@ int main() {
                              .surroundings = {.link_prefix = taken(page_address()),
                                               .reduced_motion = page_reduces_motion(),
                                               .can_quit = false,
-                                              .choose_file = page_choose_file}});
+                                              .choose_file = page_choose_file,
+                                              .ask_text = ask_text}});
   if (!opened) return 1;  // the page says that there is no WebGL
   window = std::move(opened).value();
   page_ready();

@@ -56,6 +56,38 @@ TEST(SettingsScreen, AClickGoesToTheNextValueAndOnTheArrowBack) {
   EXPECT_TRUE(game.says("title screen"));
 }
 
+/// On a phone in a browser no keyboard comes up by itself.
+TEST(SettingsScreen, AFingerIsAskedForAName) {
+  app::MemoryStore store;
+  app::MemoryClipboard clipboard;
+  std::optional<std::string> answer = "  Zoé\n";
+  std::vector<std::string> asked;
+  app::Surroundings page;
+  page.ask_text = [&](const std::string& what, const std::string& text) {
+    asked.push_back(what + "|" + text);
+    return answer;
+  };
+  app::App game(Language::english, 390, 844, store, clipboard, {}, page);
+  const auto tap = [&](std::string_view label) {
+    const auto boxes = game.draw().boxes;
+    const auto box = std::ranges::find_if(boxes, [&](const app::Box& one) {
+      return one.kind == app::Box::Kind::button && one.text.starts_with(label);
+    });
+    ASSERT_NE(box, boxes.end()) << label;
+    for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
+      game.event(app::Finger{1, phase, box->area.center()});
+  };
+  tap("Settings");
+  tap("Players");
+  tap("Name of player 2");
+  EXPECT_EQ(stored(store).names[1], "Zoé");
+  answer.reset();
+  tap("Name of player 2");
+  EXPECT_EQ(stored(store).names[1], "Zoé") << "taken back";
+  EXPECT_EQ(asked, (std::vector<std::string>{"Name of player 2|", "Name of player 2|Zoé"}));
+  EXPECT_EQ(game.describe().find("Name"), std::string::npos) << "no field waits for keys";
+}
+
 /// The help needs no keyboard: it opens over the settings and leaves them as they were.
 TEST(SettingsScreen, TheHelpIsATapAway) {
   app::MemoryStore store;

@@ -1,7 +1,9 @@
-// By a finger alone, on a small telephone with a fine display: a break, and a whole level from the
-// title screen to the next one. A finger neither scrolls nor zooms the page.
+// By a finger alone, on a small telephone with a fine display: a name, a replay pasted, a break, and
+// a whole level from the title screen to the next one. A finger neither scrolls nor zooms the page.
 
-import { check, withPage } from "./browser.mjs";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { check, root, withPage } from "./browser.mjs";
 
 await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, isMobile: true },
   async (game, context) => {
@@ -14,8 +16,27 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
         await touch("touchMove", from.map((at, axis) => at + (to[axis] - at) * i / 10));
       await touch("touchEnd");
     };
+    // No keyboard comes up for a canvas: the page asks.
+    let answer = "Zoé";
+    game.page.on("dialog", (dialog) => dialog.accept(answer));
     await game.open();
     await game.waitFor("title screen");
+    await game.tap(80, 282); // Settings
+    await game.waitFor("Settings");
+    await game.tap(550, 82); // Players
+    await game.waitFor("Settings · Players");
+    await game.tap(200, 186); // Name of player 2
+    await game.until(async () => (await game.stored("settings.json"))?.includes("Zoé"));
+    await game.tap(575, 31); // Close
+    await game.waitFor("title screen");
+    answer = readFileSync(join(root, "tests/replays/level-06-won.txt"), "utf8");
+    await game.tap(239, 235); // Replays
+    await game.waitFor("Saved replays");
+    await game.tap(495, 28); // Paste
+    await game.waitFor("replay · Skittles");
+    await game.open();
+    await game.waitFor("title screen");
+
     await game.tap(104, 241); // Angry Balls
     await game.waitFor("level menu");
     await game.tap(86, 107); // First steps
@@ -50,7 +71,7 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     for (let x = 240; x >= 60; x -= 20) await touch("touchMove", [x, 207]);
     await touch("touchEnd");
     await game.waitFor("Player 1 watches");
-    const after = await game.waitFor("Player 2 aims", "Player 2 places");
+    const after = await game.waitFor("Zoé aims", "Zoé places");
     check(after.includes("balls left: 36") === after.includes("Player 1: 0"),
       `score and balls do not agree: ${after}`);
     check(await game.stored("continue-billiards.json"), "the game is not kept");
