@@ -315,12 +315,11 @@ void BilliardsScreen::note(const billiards::Event& event, int shooter) {
       break;
     case EventKind::turn: {
       const std::string before = words_.player(shooter);
-      announce_turn(event.player,
-                    game().phase() == Phase::place
-                        ? words_(Text::cue_ball_in_hand, {words_.player(event.player)})
-                    : turn_points_ > 0
-                        ? words_(Text::turn_scored, {before, words_.number(turn_points_)})
-                        : words_(Text::turn_nothing, {before}));
+      std::string detail = words_(Text::cue_ball_in_hand);
+      if (game().phase() != Phase::place)
+        detail = turn_points_ > 0 ? words_(Text::turn_scored, {before, words_.number(turn_points_)})
+                                  : words_(Text::turn_nothing, {before});
+      announce_turn(event.player, detail);
       break;
     }
     case EventKind::cue_pocketed:

@@ -239,7 +239,7 @@ TEST(Replays, ArePastedOnTitleAndList) {
          {std::string(), std::string("hello"), content("level-06-won.txt").substr(0, 60)}) {
       ASSERT_TRUE(game.clipboard().set_text(wrong));
       game.key(Key::paste);
-      EXPECT_TRUE(game.shows("What was pasted is no whole replay."));
+      EXPECT_TRUE(game.shows("What was pasted is not a whole replay."));
       if (!list) game.press("OK");
     }
     for (const char* name : {"level-06-won.txt", "billiards-whole.json"}) {

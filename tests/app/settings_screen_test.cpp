@@ -161,11 +161,11 @@ TEST(SettingsScreen, LeftGoesBackAndEnterOn) {
   Start game(store);
   game.press("Settings");
   for (int i = 0; i < 5; ++i) game.key(Key::tab);
-  ASSERT_TRUE(game.says("Language: As the system")) << game.title();
+  ASSERT_TRUE(game.says("Language: System default")) << game.title();
   game.key(Key::left);
   EXPECT_TRUE(game.says("Langue: Français")) << game.title();
   game.key(Key::enter);
-  EXPECT_TRUE(game.says("Language: As the system")) << game.title();
+  EXPECT_TRUE(game.says("Language: System default")) << game.title();
   game.key(Key::up);
   game.key(Key::space);
   EXPECT_TRUE(game.says("Settings · Players")) << game.title();
@@ -260,7 +260,7 @@ TEST(SettingsScreen, WhoBreaksAndTheHouseRuleHoldFromTheNextGameOn) {
   game.key(Key::settings);
   game.press("Players");
   game.press("Who breaks");
-  game.press("Scoring plays on");
+  game.press("Score and play on");
   game.key(Key::escape);
   EXPECT_TRUE(game.says("Player 1 aims"));
   game.press("Restart");

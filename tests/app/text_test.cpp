@@ -104,6 +104,7 @@ TEST(Words, NameTheButtonOfTheGamepadThatShoots) {
       EXPECT_TRUE(text.find(" A ") != std::string::npos || text.find(" A:") != std::string::npos)
           << text;
     }
+    EXPECT_TRUE(words(Text::hint_replay).starts_with("Start")) << "not by keys";
   }
 }
 
