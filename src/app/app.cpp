@@ -54,6 +54,8 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
   words_.speak(language_of(session_));
   words_.name_players(session_.settings.get().names);
   session_.keyboard.bindings = session_.settings.get().keys;
+  if (session_.surroundings.touch) words_.take_hand(Hand::finger);
+  view_.touch = session_.surroundings.touch;
   go(Transition::title);
 }
 

@@ -11,7 +11,8 @@ struct Surroundings {
   /// Stands before "#replay=TEXT" in what is copied: a page's address. Empty: the bare text is.
   std::string link_prefix;
   bool reduced_motion = false;  ///< the desktop or browser asks for less that moves
-  bool can_quit = true;         ///< the player may end the program
+  bool touch = false;    ///< fingers are what there is: texts and buttons are for them at once
+  bool can_quit = true;  ///< the player may end the program
   /// Lets the player choose a file, which comes by App::open_file() later; offered instead of
   /// quitting.
   std::function<void()> choose_file;

@@ -18,6 +18,7 @@ EM_JS(char*, page_address, (), { return allocateUTF8(location.href.split("#")[0]
 EM_JS(bool, page_reduces_motion, (), {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 })
+EM_JS(bool, page_is_touched, (), { return matchMedia("(pointer: coarse)").matches; })
 EM_JS(void, page_copy, (const char* text), { Module.copy(UTF8ToString(text)); })
 EM_JS(void, page_ask_for_paste, (), { Module.askForPaste(); })
 EM_JS(void, page_choose_file, (), { Module.chooseFile(); })
@@ -128,6 +129,7 @@ int main() {
                              .levels = app::kept_levels(store),
                              .surroundings = {.link_prefix = taken(page_address()),
                                               .reduced_motion = page_reduces_motion(),
+                                              .touch = page_is_touched(),
                                               .can_quit = false,
                                               .choose_file = page_choose_file,
                                               .ask_text = ask_text}});

@@ -99,6 +99,26 @@ TEST(SettingsScreen, TheHelpIsATapAway) {
   EXPECT_TRUE(game.says("Settings · General")) << game.title();
 }
 
+/// A phone speaks of fingers before the first touches it, until a mouse is there.
+TEST(SettingsScreen, APhoneIsForFingersFromTheStart) {
+  app::MemoryStore store;
+  app::MemoryClipboard clipboard;
+  app::Surroundings page;
+  page.touch = true;
+  app::App game(Language::english, 390, 844, store, clipboard, {}, page);
+  game.event(app::KeyPressed{Key::settings});
+  const auto shows = [&](std::string_view text) {
+    const auto boxes = game.draw().boxes;
+    return std::ranges::any_of(boxes,
+                               [&](const app::Box& box) { return box.text.starts_with(text); });
+  };
+  EXPECT_TRUE(shows("Tap a line to change it."));
+  for (const app::Box& box : game.draw().boxes)
+    EXPECT_TRUE(box.kind != app::Box::Kind::button || box.area.h >= app::finger_target) << box.text;
+  game.event(app::PointerPressed{{1, 1}});
+  EXPECT_TRUE(shows("Click a line"));
+}
+
 /// A phone shows a page of it at a time.
 TEST(SettingsScreen, TheHelpBeginsWithTheHandInUse) {
   for (const bool finger : {false, true}) {
