@@ -55,6 +55,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
   words_.name_players(session_.settings.get().names);
   session_.keyboard.bindings = session_.settings.get().keys;
   if (session_.surroundings.touch) words_.take_hand(Hand::finger);
+  laid_out_for_ = words_.hand();
   view_.touch = session_.surroundings.touch;
   go(Transition::title);
 }

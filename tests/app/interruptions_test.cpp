@@ -234,6 +234,26 @@ TEST_F(Interruptions, TheMouseShrinksButtonsWhenItLetsGo) {
   EXPECT_TRUE(game.says("title screen")) << game.title();
 }
 
+TEST_F(Interruptions, TheMouseShrinksButtonsOfAWindowThatBeganForFingers) {
+  for (const bool resized : {false, true}) {
+    app::MemoryClipboard clipboard;
+    app::Surroundings phone;
+    phone.touch = true;
+    app::App app(app::Language::english, 390, 844, store, clipboard, {}, phone);
+    if (resized) app.event(app::Resized{390, 844, 1});
+    app.event(app::PointerPressed{{1, 1}});
+    app.event(app::PointerReleased{{1, 1}});
+    app::App other(app::Language::english, 390, 844, store, clipboard);
+    const auto height = [](app::App& of) {
+      of.event(app::KeyPressed{Key::settings});
+      for (const app::Box& box : of.draw().boxes)
+        if (box.kind == app::Box::Kind::button && box.text == "Close") return box.area.h;
+      return 0.0f;
+    };
+    EXPECT_EQ(height(app), height(other));
+  }
+}
+
 TEST_F(Interruptions, TheMessageNamesTheKeyThatMutes) {
   game.key(Key::help);
   game.press("Keys…");
