@@ -254,7 +254,7 @@ class TablePainter {
 }  // namespace
 
 Viewport table_viewport(const Rect& area, const carom::Scene& table) {
-  constexpr double worth_it = 1.2;  // times larger
+  constexpr double worth_it = 1.08;  // times larger
   const carom::Vec2 from{-table_margin, -table_margin};
   const carom::Vec2 to{table.width + table_margin, table.height + table_margin};
   const Viewport lying(area, from, to);

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// The table with its wood, as large as fits into `area`: upright where it is much larger so, as on
-/// a phone; the cue ball starts below then.
+/// The table with its wood, as large as fits into `area`: upright where it is larger so, as on a
+/// phone; the cue ball starts below then.
 Viewport table_viewport(const Rect& area, const carom::Scene& table);
 /// What it fills, window px.
 Rect table_box(const Viewport& viewport, const carom::Scene& table);
