@@ -373,21 +373,22 @@ void ReplayScreen::draw_timeline(Canvas& canvas) const {
   const auto x_of = [&](std::uint64_t step) {
     return timeline_.x + timeline_.w * static_cast<float>(step) / total;
   };
+  const auto end_of = [&](std::size_t turn) {
+    return x_of(turns[turn].first_step + turns[turn].steps);
+  };
   const bool table = !player_.replay().level;
   const float least = canvas.px(least_mark_width);
   for (std::size_t end = 0; end < turns.size();) {
     const std::size_t first = end;
     const float from = x_of(turns[first].first_step);
-    float to = from;
     bool scored = false;
     // Neighbours that would be too narrow to be told apart share a mark.
     do {
-      const replay::Turn& turn = turns[end];
-      to = x_of(turn.first_step + turn.steps);
-      scored = scored || (end < player_.reached_turns() && turn.points > 0);
+      scored = scored || (end < player_.reached_turns() && turns[end].points > 0);
       ++end;
-    } while (end < turns.size() && to - from < least &&
-             x_of(turns[end].first_step + turns[end].steps) - to < least);
+    } while (end < turns.size() && end_of(end - 1) - from < least &&
+             end_of(end) - end_of(end - 1) < least);
+    const float to = end_of(end - 1);
     const std::size_t last = end - 1;
     const auto& wrong = player_.divergence();
     const Color accent = wrong && last >= wrong->turn ? list.palette->refused
