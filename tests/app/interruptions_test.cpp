@@ -308,10 +308,11 @@ bool finite(const app::DrawList& list) {
 }
 
 TEST(TinyWindow, EveryScreenIsDrawnWithoutNonsense) {
-  for (const auto& [width, height] : {std::pair{1, 1}, {1, 900}, {1600, 1}})
+  for (const app::Resized size : {app::Resized{1, 1}, {1, 900}, {1600, 1}})
     every_screen::Walk({}, [&](const every_screen::Shown& shown) {
-      shown.event(app::Resized{width, height, 1});
-      EXPECT_TRUE(finite(shown.draw())) << shown.where << " at " << width << " x " << height;
+      shown.event(size);
+      EXPECT_TRUE(finite(shown.draw()))
+          << shown.where << " at " << size.width << " x " << size.height;
       shown.event(app::Resized{1280, 720, 1});
     }).all();
 }
