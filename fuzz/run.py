@@ -44,8 +44,9 @@ def main():
             continue
         folders = [folder for folder in [found, corpus, *seeds] if folder.is_dir()]
         run = subprocess.run(
-            [program, f"-max_total_time={options.seconds}", "-timeout=10", "-rss_limit_mb=2048",
-             "-print_final_stats=1", f"-artifact_prefix={broken}/{name}-", *folders],
+            # Long inputs from the start: half a minute of short ones plays no game.
+            [program, "-len_control=0", f"-max_total_time={options.seconds}", "-timeout=10",
+             "-rss_limit_mb=2048", "-print_final_stats=1", f"-artifact_prefix={broken}/{name}-", *folders],
             capture_output=True, encoding="utf-8", errors="replace",
             env=dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1"))
         if run.returncode != 0:
