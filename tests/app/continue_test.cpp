@@ -1,8 +1,5 @@
 // The game in progress is kept after every turn, and continued bit by bit at the next start.
 
-#include <fstream>
-#include <iterator>
-
 #include "app/billiards_screen.hpp"
 #include "app/greedy_player.hpp"
 #include "app/kept_games.hpp"
@@ -10,6 +7,7 @@
 #include "app/player.hpp"
 #include "app/practice_strip.hpp"
 #include "app/table_view.hpp"
+#include "project_file.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 
@@ -25,11 +23,6 @@ const std::string level_file = "continue-level.json";
 
 std::optional<std::string> stored(app::Store& store, const std::string& name) {
   return store.load(name).value();
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(SOURCE_DIR "/" + path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// One start of the program.
@@ -166,12 +159,13 @@ TEST(Continue, ALevelGoesOnBitByBit) {
 
 TEST(Continue, ALevelThatIsNoLongerOnOffer) {
   app::MemoryStore store;
-  replay::Replay kept = replay::read_json(content("tests/replays/level-random-lost.json")).value();
+  replay::Replay kept =
+      replay::read_json(project_file("tests/replays/level-random-lost.json")).value();
   kept.moves.resize(1);
   auto player = replay::Player::create(kept).value();
   while (player.step()) {
   }
-  kept = replay::read_json(content("tests/replays/level-random-lost.json")).value();
+  kept = replay::read_json(project_file("tests/replays/level-random-lost.json")).value();
   kept.moves.resize(1);
   kept.score = replay::score(player.game());
   ASSERT_TRUE(store.save(level_file, replay::write_json(kept)));
@@ -182,7 +176,8 @@ TEST(Continue, ALevelThatIsNoLongerOnOffer) {
 
 TEST(Continue, ALevelWithoutANameIsOfferedAllTheSame) {
   app::MemoryStore store;
-  replay::Replay kept = replay::read_json(content("tests/replays/level-random-lost.json")).value();
+  replay::Replay kept =
+      replay::read_json(project_file("tests/replays/level-random-lost.json")).value();
   kept.level->name.clear();
   ASSERT_TRUE(store.save(level_file, replay::write_json(kept)));
   Start game(store);
@@ -273,7 +268,7 @@ TEST(Continue, ADiskThatCannotBeWrittenIsTold) {
 
 // Twenty ways in which a file can be wrong.
 
-std::string sound() { return content("tests/replays/billiards-left-in-the-middle.json"); }
+std::string sound() { return project_file("tests/replays/billiards-left-in-the-middle.json"); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -312,9 +307,9 @@ std::vector<std::string> broken_saves() {
       replaced(text, "\"steps\": ", "\"steps\": 1"),
       std::string(1'000'000, '['),
       std::string(5'000'000, ' ') + text,
-      content("tests/replays/level-01-won.json"),
-      content("scenes/break.json"),
-      content("tests/replays/billiards-left-in-the-middle.txt"),
+      project_file("tests/replays/level-01-won.json"),
+      project_file("scenes/break.json"),
+      project_file("tests/replays/billiards-left-in-the-middle.txt"),
       // Whole, but no game goes that way, or it is over: found out when it is continued.
       rewritten([](replay::Replay& replay) { replay.moves[0].hash ^= 1; }),
       rewritten([](replay::Replay& replay) { replay.moves[0].steps += 1; }),
@@ -322,7 +317,7 @@ std::vector<std::string> broken_saves() {
       rewritten([](replay::Replay& replay) {
         replay.moves.insert(replay.moves.begin(), {games::billiards::Place{{1, 1}}, 0, 0});
       }),
-      content("tests/replays/billiards-whole.json"),
+      project_file("tests/replays/billiards-whole.json"),
   };
   return saves;
 }

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "app/billiards_screen.hpp"
 #include "app/player.hpp"
 #include "app/tip.hpp"
+#include "project_file.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 
@@ -59,10 +58,6 @@ class Walk {
   using seconds = std::chrono::seconds;
   using milliseconds = std::chrono::milliseconds;
 
-  static std::string replay_file(const std::string& name) {
-    std::ifstream file(SOURCE_DIR "/tests/replays/" + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
   const char* in(const char* english, const char* french) const {
     return how_.language == app::Language::french ? french : english;
   }

@@ -2,14 +2,13 @@
 // size, while something is held, aimed or carried.
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "app/angry_balls_screen.hpp"
 #include "app/billiards_screen.hpp"
 #include "app/effects.hpp"
 #include "app/every_screen.hpp"
 #include "app/player.hpp"
+#include "project_file.hpp"
 #include "replay/replay_file.hpp"
 
 namespace {
@@ -17,11 +16,6 @@ namespace {
 using namespace std::chrono_literals;
 using app::Key;
 using app::Point;
-
-std::string replay_file(const std::string& name) {
-  std::ifstream file(SOURCE_DIR "/tests/replays/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 const std::string own_level =
     R"({"carom": 1, "name": "Mine", "width": 600, "height": 300, "gravity": 600, "balls": [
@@ -33,6 +27,14 @@ class Interruptions : public testing::Test {
     return dynamic_cast<const app::BilliardsScreen&>(game.app().screen());
   }
   void key_up(Key key) { game.app().event(app::KeyReleased{key}); }
+  void rebind(const std::string& command, Key key) {
+    game.key(Key::help);
+    game.press("Keys…");
+    game.press(command);
+    game.key(key);
+    game.key(Key::escape);
+    game.key(Key::escape);
+  }
   void press_at(Point at) {
     game.app().event(app::PointerMoved{at});
     game.app().event(app::PointerPressed{at});
@@ -108,12 +110,7 @@ TEST_F(Interruptions, SoIsATriggerAndAPressOnTheTable) {
 }
 
 TEST_F(Interruptions, TheSameOfALetterOfThePlayersOwn) {
-  game.key(Key::help);
-  game.press("Keys…");
-  game.press("Faster");
-  game.key(Key::g);
-  game.key(Key::escape);
-  game.key(Key::escape);
+  rebind("Faster", Key::g);
   game.press("Billiards");
   shoot();
   game.key(Key::g);
@@ -255,12 +252,7 @@ TEST_F(Interruptions, TheMouseShrinksButtonsOfAWindowThatBeganForFingers) {
 }
 
 TEST_F(Interruptions, TheMessageNamesTheKeyThatMutes) {
-  game.key(Key::help);
-  game.press("Keys…");
-  game.press("Sound on, off");
-  game.key(Key::k);
-  game.key(Key::escape);
-  game.key(Key::escape);
+  rebind("Sound on, off", Key::k);
   game.key(Key::k);
   EXPECT_TRUE(game.shows("Sound off (K: on)"));
 }

@@ -1,14 +1,13 @@
 // Nothing overlaps and nothing is cut off, whatever the window's size and the language.
 
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 
 #include "app/billiards_screen.hpp"
 #include "app/level_view.hpp"
 #include "app/player.hpp"
 #include "app/practice_strip.hpp"
 #include "app/table_view.hpp"
+#include "project_file.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 
@@ -36,11 +35,6 @@ const std::string easy = R"({"carom": 1, "name": "A very long name, as players g
                          std::string(150, '!') + R"(", "width": 1000, "height": 500,
   "balls": [{"x": 110, "y": 120, "role": "projectile", "radius": 12},
             {"x": 200, "y": 120, "role": "enemy", "solidity": 10}]})";
-
-std::string replay_file(const std::string& name) {
-  std::ifstream file(SOURCE_DIR "/tests/replays/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string describe(const Box& box) {
   return "\"" + box.text + "\" at " + std::to_string(box.area.x) + "," +

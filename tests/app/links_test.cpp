@@ -1,20 +1,13 @@
 #include "app/links.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include "app/player.hpp"
 #include "app/session.hpp"
+#include "project_file.hpp"
 #include "replay/level_text.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
 
 namespace {
-
-std::string content(const std::string& path) {
-  std::ifstream file(SOURCE_DIR "/" + path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 const std::string own_level =
     R"({"carom": 1, "name": "Mine", "width": 600, "height": 300, "gravity": 600, "balls": [
@@ -26,7 +19,7 @@ struct Links : testing::Test {
 };
 
 TEST_F(Links, ALinkToAReplayShowsItAndProvesIt) {
-  const auto replay = replay::read_replay(content("tests/replays/level-09-won.json")).value();
+  const auto replay = replay::read_replay(project_file("tests/replays/level-09-won.json")).value();
   game.app().open_link("#replay=" + replay::write_text(replay));
   game.wait_for("Verified");
   game.key(app::Key::escape);
@@ -35,7 +28,7 @@ TEST_F(Links, ALinkToAReplayShowsItAndProvesIt) {
 
 /// Two files dropped together: the second lies over the first, and the game over none is lost.
 TEST_F(Links, AReplayOpenedOverAnotherOrOverTheSettingsLeadsBack) {
-  const std::string replay = content("tests/replays/level-09-won.json");
+  const std::string replay = project_file("tests/replays/level-09-won.json");
   game.press("Billiards");
   const std::string table = game.title();
   for (int i = 0; i < 2; ++i) game.app().open_file("x.json", replay);
@@ -87,7 +80,7 @@ TEST_F(Links, ALinkToNothingChangesNothing) {
 }
 
 TEST_F(Links, AFileIsOpenedByWhatIsInIt) {
-  game.app().open_file("x.txt", content("tests/replays/level-09-won.txt"));
+  game.app().open_file("x.txt", project_file("tests/replays/level-09-won.txt"));
   game.wait_for("Verified");
   game.app().open_file("mine.json", own_level);
   EXPECT_TRUE(game.says("Mine")) << game.title();

@@ -1,10 +1,8 @@
 #include "app/replay_screen.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include "app/palette.hpp"
 #include "app/player.hpp"
+#include "project_file.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
 
@@ -13,12 +11,9 @@ namespace {
 using namespace std::chrono_literals;
 using app::Key;
 
-std::string content(const std::string& path) {
-  std::ifstream file(SOURCE_DIR "/tests/replays/" + path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+replay::Replay sound(const std::string& name) {
+  return replay::read_replay(replay_file(name)).value();
 }
-
-replay::Replay sound(const std::string& name) { return replay::read_replay(content(name)).value(); }
 
 class ReplayScreenTest : public testing::TestWithParam<const char*> {
  protected:
@@ -236,14 +231,14 @@ TEST(Replays, ArePastedOnTitleAndList) {
   for (const bool list : {false, true}) {
     if (list) game.press("Replays");
     for (const std::string& wrong :
-         {std::string(), std::string("hello"), content("level-06-won.txt").substr(0, 60)}) {
+         {std::string(), std::string("hello"), replay_file("level-06-won.txt").substr(0, 60)}) {
       ASSERT_TRUE(game.clipboard().set_text(wrong));
       game.key(Key::paste);
       EXPECT_TRUE(game.shows("What was pasted is not a whole replay."));
       if (!list) game.press("OK");
     }
     for (const char* name : {"level-06-won.txt", "billiards-whole.json"}) {
-      ASSERT_TRUE(game.clipboard().set_text("\n " + content(name) + "\n"));
+      ASSERT_TRUE(game.clipboard().set_text("\n " + replay_file(name) + "\n"));
       game.key(Key::paste);
       EXPECT_TRUE(game.says("replay · ")) << game.title();
       game.key(Key::escape);
@@ -254,7 +249,7 @@ TEST(Replays, ArePastedOnTitleAndList) {
 
 TEST(Replays, OneSavedWhileItIsWatchedFromTheListIsThere) {
   Player game(app::Language::english, 1280, 720);
-  ASSERT_TRUE(game.store().save("replays/a.json", content("level-01-won.json")));
+  ASSERT_TRUE(game.store().save("replays/a.json", replay_file("level-01-won.json")));
   game.press("Replays");
   game.key(Key::tab);
   game.key(Key::enter);
@@ -282,8 +277,8 @@ TEST(Replays, ABrokenFileInTheListSaysSo) {
 TEST(Replays, ManyArePaged) {
   Player game(app::Language::english, 800, 600);
   for (int i = 10; i < 60; ++i)
-    ASSERT_TRUE(
-        game.store().save("replays/r" + std::to_string(i) + ".json", content("level-01-won.json")));
+    ASSERT_TRUE(game.store().save("replays/r" + std::to_string(i) + ".json",
+                                  replay_file("level-01-won.json")));
   game.press("Replays");
   EXPECT_TRUE(game.shows("r59")) << "the last page first";
   game.press("Next");
