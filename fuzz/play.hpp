@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "app/kept_games.hpp"
-#include "app/saved_replays.hpp"
+#include "app/storage/kept_games.hpp"
+#include "app/storage/saved_replays.hpp"
 #include "platform/null_platform.hpp"
 #include "require.hpp"
 

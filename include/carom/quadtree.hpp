@@ -22,7 +22,7 @@ struct Pair {
   }
 };
 
-class Crew;
+class ThreadPool;
 
 /// A loose quadtree without pointers, for discs of any size anywhere in the plane (§1.3).
 ///
@@ -108,7 +108,7 @@ class Quadtree {
   static Place place(const Level& level, double x, double y);
   static std::uint32_t cell(const Level& level, Place place);
 
-  Crew* crew_ = nullptr;  ///< helps to build, if there is one
+  ThreadPool* thread_pool_ = nullptr;  ///< helps to build, if there is one
   std::span<const double> x_;
   std::span<const double> y_;
   std::span<const double> radius_;

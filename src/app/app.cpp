@@ -5,18 +5,18 @@
 #include <iterator>
 #include <utility>
 
-#include "app/angry_balls_screen.hpp"
-#include "app/billiards_screen.hpp"
-#include "app/lesson.hpp"
-#include "app/level_fault.hpp"
-#include "app/level_menu.hpp"
-#include "app/links.hpp"
-#include "app/load_screen.hpp"
-#include "app/replay_list.hpp"
-#include "app/replay_screen.hpp"
-#include "app/settings_screen.hpp"
-#include "app/tip.hpp"
-#include "app/title_screen.hpp"
+#include "app/hud/lesson.hpp"
+#include "app/screens/angry_balls_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/screens/level_menu.hpp"
+#include "app/screens/load_screen.hpp"
+#include "app/screens/replay_list.hpp"
+#include "app/screens/replay_screen.hpp"
+#include "app/screens/settings_screen.hpp"
+#include "app/screens/title_screen.hpp"
+#include "app/storage/links.hpp"
+#include "app/widgets/level_fault.hpp"
+#include "app/widgets/tip.hpp"
 #include "replay/level_text.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
@@ -43,27 +43,27 @@ float nudge_phase(nanoseconds quiet) {
 }  // namespace
 
 App::App(StartLanguage start, int width, int height, Store& store, Clipboard& clipboard,
-         std::vector<Level> levels, Surroundings surroundings)
+         std::vector<Level> levels, HostEnvironment host)
     : words_(start.language),
       store_(store),
-      session_(store, clipboard, with_shipped(std::move(levels)), std::move(surroundings)),
+      session_(store, clipboard, with_shipped(std::move(levels)), std::move(host)),
       view_(View::of(width, height)) {
   session_.system_language = start.language;
-  session_.system_reduced_motion = session_.surroundings.reduced_motion;
+  session_.system_reduced_motion = session_.host.reduced_motion;
   if (start.asked) session_.asked_language = start.language;
   words_.speak(language_of(session_));
   words_.name_players(session_.settings.get().names);
   session_.keyboard.bindings = session_.settings.get().keys;
-  if (session_.surroundings.touch) words_.take_hand(Hand::finger);
+  if (session_.host.touch) words_.take_hand(InputDevice::finger);
   laid_out_for_ = words_.hand();
-  view_.touch = session_.surroundings.touch;
+  view_.touch = session_.host.touch;
   go(Transition::title);
 }
 
 void App::event(const Input& input) {
   if (const auto* resized = std::get_if<Resized>(&input)) {
     view_ = View::of(resized->width, resized->height, resized->density);
-    view_.touch = words_.hand() == Hand::finger;
+    view_.touch = words_.hand() == InputDevice::finger;
     atlas_.clear();  // the sizes in use have changed
     screen_->resize(view_);
     if (help_) help_->resize(view_);
@@ -129,18 +129,18 @@ std::vector<SoundEvent> App::take_sounds() {
 void App::note_hand(const Input& input) {
   const auto* moved = std::get_if<PadMoved>(&input);
   if (std::holds_alternative<Finger>(input))
-    words_.take_hand(Hand::finger);
+    words_.take_hand(InputDevice::finger);
   else if (std::holds_alternative<PadPressed>(input) || (moved && std::abs(moved->value) > 0.5f))
-    words_.take_hand(Hand::pad);
+    words_.take_hand(InputDevice::pad);
   else if (std::holds_alternative<PointerPressed>(input) ||
            // A finger may press keys too: those of the screen's keyboard.
-           (std::holds_alternative<KeyPressed>(input) && words_.hand() == Hand::pad))
-    words_.take_hand(Hand::mouse);
+           (std::holds_alternative<KeyPressed>(input) && words_.hand() == InputDevice::pad))
+    words_.take_hand(InputDevice::mouse);
   if (std::holds_alternative<PointerPressed>(input)) mouse_held_ = true;
   if (std::holds_alternative<PointerReleased>(input)) mouse_held_ = false;
   if (words_.hand() == laid_out_for_ || mouse_held_ || !fingers_.none()) return;
   laid_out_for_ = words_.hand();
-  view_.touch = laid_out_for_ == Hand::finger;
+  view_.touch = laid_out_for_ == InputDevice::finger;
   screen_->resize(view_);
   if (help_) help_->resize(view_);
 }
@@ -174,7 +174,7 @@ void App::give_to_screen(const Input& input) {
       std::holds_alternative<PointerPressed>(input) || std::holds_alternative<KeyPressed>(input) ||
       std::holds_alternative<TextTyped>(input) || std::holds_alternative<WheelTurned>(input) ||
       std::holds_alternative<Steered>(input);
-  if (does && session_.teach && screen_->call()) {
+  if (does && session_.teach && screen_->aim_prompt()) {
     session_.teach = false;
     Settings settings = session_.settings.get();
     settings.taught = true;
@@ -197,7 +197,7 @@ bool App::animating() const {
   if (pad_.held() || toast_.active()) return true;
   if (help_) return false;
   const bool calls = quiet_ >= nudge_after && quiet_ % nudge_after < nudge_time;
-  return screen_->animating() || (calls && session_.settings.get().hints && screen_->call());
+  return screen_->animating() || (calls && session_.settings.get().hints && screen_->aim_prompt());
 }
 
 void App::teach_beginners() {
@@ -267,7 +267,7 @@ const DrawList& App::draw() {
     Canvas canvas{list_, font_, view_, calm, session_.settings.get().screen_shake && !calm};
     screen_->draw(canvas);
     const bool hints = session_.settings.get().hints;
-    if (const auto call = screen_->call(); call && !help_) {
+    if (const auto call = screen_->aim_prompt(); call && !help_) {
       if (session_.teaches())
         draw_lesson(canvas, *call, words_);
       else if (quiet_ >= nudge_after && hints)

@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "app/fingers.hpp"
-#include "app/font.hpp"
-#include "app/help.hpp"
-#include "app/pad.hpp"
-#include "app/screen.hpp"
-#include "app/session.hpp"
-#include "app/stamps.hpp"
-#include "app/text.hpp"
-#include "app/toast.hpp"
+#include "app/graphics/font.hpp"
+#include "app/graphics/stamps.hpp"
+#include "app/input/fingers.hpp"
+#include "app/input/pad.hpp"
+#include "app/play/session.hpp"
+#include "app/screens/help.hpp"
+#include "app/text/text.hpp"
+#include "app/widgets/screen.hpp"
+#include "app/widgets/toast.hpp"
 
 namespace app {
 
@@ -26,7 +26,7 @@ class App {
   /// The window's size in px. Store and clipboard must outlive this. `levels`: what the player has
   /// beside the shipped ones.
   App(StartLanguage start, int width, int height, Store& store, Clipboard& clipboard,
-      std::vector<Level> levels = {}, Surroundings surroundings = {});
+      std::vector<Level> levels = {}, HostEnvironment host = {});
 
   void event(const Input& input);
   void iterate(nanoseconds elapsed);
@@ -76,7 +76,7 @@ class App {
     return help_ ? pressed : session_.keyboard.bindings.meaning(pressed);
   }
   void note_hand(const Input& input);
-  bool steers() const { return !help_ && screen_->call().has_value(); }
+  bool steers() const { return !help_ && screen_->aim_prompt().has_value(); }
   void go(Transition transition);
   std::unique_ptr<Screen> resumed();
   bool presses_button(const Input& input) const;
@@ -99,7 +99,7 @@ class App {
   /// outside at any time.
   std::vector<std::unique_ptr<Screen>> below_;
   std::optional<Help> help_;  ///< over the screen, which waits
-  Hand laid_out_for_{};
+  InputDevice laid_out_for_{};
   bool mouse_held_ = false;
   Fingers fingers_;
   Pad pad_;

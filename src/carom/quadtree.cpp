@@ -6,8 +6,8 @@
 #include <limits>
 #include <tuple>
 
-#include "carom/crew.hpp"
-#include "carom/quadtree_search.hpp"
+#include "carom/internal/quadtree_search.hpp"
+#include "carom/internal/thread_pool.hpp"
 
 namespace carom {
 
@@ -192,10 +192,10 @@ void Quadtree::place_discs(LevelOf level_of) {
   std::uint32_t* const square_of = cell_.data();
 
   if (levels_.size() == 1) {
-    if (crew_ == nullptr)
+    if (thread_pool_ == nullptr)
       squares_of_two(levels[0], 0, n);
     else
-      crew_->share(n, [&](std::size_t, std::size_t begin, std::size_t end) {
+      thread_pool_->share(n, [&](std::size_t, std::size_t begin, std::size_t end) {
         squares_of_two(levels[0], begin, end);
       });
     levels_[0].largest = largest_of(radius_);
@@ -226,7 +226,7 @@ void Quadtree::place_discs(LevelOf level_of) {
     slot_cell_[slot] = square_of[i] - level.first_cell;
     slot_[i] = slot;
   };
-  if (crew_ == nullptr) {
+  if (thread_pool_ == nullptr) {
     std::size_t i = 0;
     for (; i + 2 <= n; i += 2) {
       const auto two = QuadtreeSearch::rounded2(load<Double2>(x + i), load<Double2>(y + i),
@@ -239,7 +239,7 @@ void Quadtree::place_discs(LevelOf level_of) {
   }
   // Each thread fills its own squares, in the order of all discs: so every disc comes where one
   // thread would have put it.
-  crew_->share(starts_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  thread_pool_->share(starts_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = 0; i < n; ++i)
       if (square_of[i] >= begin && square_of[i] < end)
         put(i, QuadtreeSearch::rounded(x[i], y[i], radius[i]));

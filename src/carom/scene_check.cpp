@@ -1,12 +1,12 @@
-#include "carom/scene_check.hpp"
+#include "carom/internal/scene_check.hpp"
 
 #include <cmath>
 #include <string_view>
 #include <utility>
 
-#include "carom/json.hpp"
-#include "carom/number_text.hpp"
-#include "carom/scene_fields.hpp"
+#include "carom/internal/json.hpp"
+#include "carom/internal/number_text.hpp"
+#include "carom/internal/scene_fields.hpp"
 
 namespace carom {
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "carom/all_pairs.hpp"
 #include "carom/balls.hpp"
-#include "carom/crew.hpp"
-#include "carom/row_pairs.hpp"
-#include "carom/vectors.hpp"
-#include "carom/workspace.hpp"
+#include "carom/internal/all_pairs.hpp"
+#include "carom/internal/row_pairs.hpp"
+#include "carom/internal/thread_pool.hpp"
+#include "carom/internal/vectors.hpp"
+#include "carom/internal/workspace.hpp"
 #include "carom/world.hpp"
 
 namespace carom {
@@ -62,10 +62,10 @@ class Stepper {
   // Runs action(begin, end) on all of [0, size), on several threads if there are.
   template <class Action>
   void run_parts(std::size_t size, Action action) {
-    if (workspace_.crew == nullptr)
+    if (workspace_.thread_pool == nullptr)
       action(std::size_t{0}, size);
     else
-      workspace_.crew->share(
+      workspace_.thread_pool->share(
           size, [&](std::size_t, std::size_t begin, std::size_t end) { action(begin, end); });
   }
 

@@ -1,4 +1,4 @@
-#include "carom/workspace.hpp"
+#include "carom/internal/workspace.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "carom/scene_check.hpp"
+#include "carom/internal/scene_check.hpp"
 
 namespace carom {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/store.hpp"
+#include "app/storage/store.hpp"
 
 namespace platform {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/store.hpp"
+#include "app/storage/store.hpp"
 
 namespace platform {
 

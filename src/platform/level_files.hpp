@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/level.hpp"
+#include "app/storage/level.hpp"
 
 namespace platform {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/app.hpp"
-#include "app/raster.hpp"
+#include "app/graphics/raster.hpp"
 #include "platform/script.hpp"
 
 namespace platform {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/atlas.hpp"
-#include "app/draw_list.hpp"
+#include "app/graphics/atlas.hpp"
+#include "app/graphics/draw_list.hpp"
 #include "platform/sdl_owned.hpp"
 
 namespace platform {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/raster.hpp"
+#include "app/graphics/raster.hpp"
 #include "carom/result.hpp"
 
 namespace platform {

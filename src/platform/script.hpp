@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/input.hpp"
+#include "app/input/input.hpp"
 #include "carom/result.hpp"
 
 namespace platform {

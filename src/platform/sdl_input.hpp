@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/input.hpp"
+#include "app/input/input.hpp"
 
 /// What SDL tells, in the app's words.
 namespace platform {

@@ -79,7 +79,7 @@ class SdlWindow final : public GameWindow {
         painter_(window_.get()),
         app_(setup.language, setup.width, setup.height, setup.store,
              setup.clipboard ? *setup.clipboard : desktop_clipboard_, std::move(setup.levels),
-             std::move(setup.surroundings)) {
+             std::move(setup.host)) {
     SDL_SetWindowMinimumSize(window_.get(), setup.least_width, setup.least_height);
     measure();
     app_.name_keys(label_of);

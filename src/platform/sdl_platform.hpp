@@ -19,7 +19,7 @@ struct WindowSetup {
   app::Store& store;
   app::Clipboard* clipboard = nullptr;  ///< none: the desktop's
   std::vector<app::Level> levels{};     ///< beside the shipped ones
-  app::Surroundings surroundings{};
+  app::HostEnvironment host{};
 };
 
 /// The game in a window. Whoever has it owns the loop.

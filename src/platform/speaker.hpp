@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/mixer.hpp"
+#include "app/audio/mixer.hpp"
 
 namespace platform {
 

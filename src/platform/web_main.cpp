@@ -127,12 +127,12 @@ int main() {
                              .store = store,
                              .clipboard = &clipboard,
                              .levels = app::kept_levels(store),
-                             .surroundings = {.link_prefix = taken(page_address()),
-                                              .reduced_motion = page_reduces_motion(),
-                                              .touch = page_is_touched(),
-                                              .can_quit = false,
-                                              .choose_file = page_choose_file,
-                                              .ask_text = ask_text}});
+                             .host = {.link_prefix = taken(page_address()),
+                                      .reduced_motion = page_reduces_motion(),
+                                      .touch = page_is_touched(),
+                                      .can_quit = false,
+                                      .choose_file = page_choose_file,
+                                      .ask_text = ask_text}});
   if (!opened) return 1;  // the page says that there is no WebGL
   window = std::move(opened).value();
   page_ready();

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "carom/fnv1a.hpp"
-#include "carom/json.hpp"
-#include "carom/number_text.hpp"
+#include "carom/internal/json.hpp"
+#include "carom/internal/number_text.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/trace.hpp"
 #include "replay/replay_text.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "carom/number_text.hpp"
+#include "carom/internal/number_text.hpp"
 
 namespace soak {
 

@@ -1,9 +1,9 @@
-#include "app/aim.hpp"
+#include "app/play/aim.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/aim_entry.hpp"
-#include "app/grid.hpp"
+#include "app/play/aim_entry.hpp"
+#include "app/play/grid.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include "app/angry_balls_screen.hpp"
+#include "app/screens/angry_balls_screen.hpp"
 
 #include <filesystem>
 #include <fstream>
 
-#include "app/level_view.hpp"
 #include "app/player.hpp"
+#include "app/view/level_view.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "app/best_scores.hpp"
+#include "app/storage/best_scores.hpp"
 
 #include <gtest/gtest.h>
 

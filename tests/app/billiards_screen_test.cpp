@@ -1,4 +1,4 @@
-#include "app/billiards_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
 
 #include <chrono>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/clock.hpp"
+#include "app/play/clock.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

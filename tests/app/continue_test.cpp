@@ -1,12 +1,12 @@
 // The game in progress is kept after every turn, and continued bit by bit at the next start.
 
-#include "app/billiards_screen.hpp"
 #include "app/greedy_player.hpp"
-#include "app/kept_games.hpp"
-#include "app/level_view.hpp"
+#include "app/hud/practice_strip.hpp"
 #include "app/player.hpp"
-#include "app/practice_strip.hpp"
-#include "app/table_view.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/storage/kept_games.hpp"
+#include "app/view/level_view.hpp"
+#include "app/view/table_view.hpp"
 #include "project_file.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/billiards_screen.hpp"
 #include "app/player.hpp"
-#include "app/tip.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/widgets/tip.hpp"
 #include "project_file.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
@@ -122,7 +122,7 @@ class Walk {
     check(kept, "loading");
 
     app::MemoryClipboard clipboard;
-    app::Surroundings page;
+    app::HostEnvironment page;
     page.can_quit = false;
     app::App web(how_.language, how_.width, how_.height, store, clipboard, {}, page);
     begin(web);
@@ -179,7 +179,7 @@ class Walk {
   }
 
   void throw_left(Player& game) {
-    const app::Point from = game.app().screen().call()->at;
+    const app::Point from = game.app().screen().aim_prompt()->at;
     game.click(from);
     game.click({1, from.y});
     game.pass(seconds{4});

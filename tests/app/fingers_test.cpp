@@ -1,4 +1,4 @@
-#include "app/fingers.hpp"
+#include "app/input/fingers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewport.hpp"
+#include "app/view/viewport.hpp"
 #include "games/billiards.hpp"
 #include "games/launch.hpp"
 

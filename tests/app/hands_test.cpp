@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
-#include "app/angry_balls_screen.hpp"
-#include "app/billiards_screen.hpp"
 #include "app/greedy_player.hpp"
-#include "app/level.hpp"
 #include "app/player.hpp"
+#include "app/screens/angry_balls_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/storage/level.hpp"
 
 namespace {
 
@@ -151,7 +151,7 @@ TEST_F(Hands, ATableByKeyboardAlone) {
   play_table([&](carom::Vec2 drag) { shoot_by_keys(drag); },
              [&](carom::Vec2 to) {
                const auto away = [&] {
-                 return to - table().viewport().to_world(table().call()->at);
+                 return to - table().viewport().to_world(table().aim_prompt()->at);
                };
                for (const bool fine : {false, true}) {
                  const double least = fine ? 0.6 : 3;
@@ -189,7 +189,9 @@ TEST_F(Hands, ATableByGamepadAlone) {
         pad(PadButton::a);
       },
       [&](carom::Vec2 to) {
-        const auto away = [&] { return to - table().viewport().to_world(table().call()->at); };
+        const auto away = [&] {
+          return to - table().viewport().to_world(table().aim_prompt()->at);
+        };
         if (away().x > 4) hold(PadAxis::left_x, 1, [&] { return away().x > 4; });
         if (away().x < -4) hold(PadAxis::left_x, -1, [&] { return away().x < -4; });
         if (away().y > 4) hold(PadAxis::left_y, -1, [&] { return away().y > 4; });

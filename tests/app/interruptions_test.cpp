@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "app/angry_balls_screen.hpp"
-#include "app/billiards_screen.hpp"
-#include "app/effects.hpp"
 #include "app/every_screen.hpp"
 #include "app/player.hpp"
+#include "app/screens/angry_balls_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/view/effects.hpp"
 #include "project_file.hpp"
 #include "replay/replay_file.hpp"
 
@@ -125,7 +125,7 @@ TEST_F(Interruptions, NothingOpensOverABallThatIsPulled) {
   game.press("Billiards");
   shoot();
   game.wait_for("Player 2 aims");
-  const Point cue = game.app().screen().call()->at;
+  const Point cue = game.app().screen().aim_prompt()->at;
   press_at(cue);
   move(cue + Point{-90, 0});
   for (const Key key : {Key::r, Key::settings, Key::tab}) {
@@ -156,7 +156,7 @@ TEST_F(Interruptions, AChargeEndsWithItsKeyUnderAQuestion) {
 
 TEST_F(Interruptions, APullEndsWhenAReplayIsOpened) {
   game.press("Billiards");
-  const Point cue = game.app().screen().call()->at;
+  const Point cue = game.app().screen().aim_prompt()->at;
   press_at(cue);
   move(cue + Point{-90, 0});
   game.app().open_file("x", replay_file("level-01-won.json"));
@@ -172,11 +172,11 @@ TEST_F(Interruptions, TheBallInHandStaysWhereItIsCarried) {
   game.press("Billiards");
   const app::Viewport& seen = table().viewport();
   const carom::Vec2 corner{10, 10};
-  game.click(game.app().screen().call()->at);
+  game.click(game.app().screen().aim_prompt()->at);
   game.click(seen.to_window(corner));
   game.wait_for("Player 2 places");
   for (int i = 0; i < 20; ++i) game.key(Key::up);
-  const auto carried = [&] { return table().viewport().to_world(table().call()->at); };
+  const auto carried = [&] { return table().viewport().to_world(table().aim_prompt()->at); };
   const carom::Vec2 there = carried();
   const auto expect_there = [&](const char* why) {
     EXPECT_NEAR(carried().x, there.x, 0.01) << why;
@@ -234,7 +234,7 @@ TEST_F(Interruptions, TheMouseShrinksButtonsWhenItLetsGo) {
 TEST_F(Interruptions, TheMouseShrinksButtonsOfAWindowThatBeganForFingers) {
   for (const bool resized : {false, true}) {
     app::MemoryClipboard clipboard;
-    app::Surroundings phone;
+    app::HostEnvironment phone;
     phone.touch = true;
     app::App app(app::Language::english, 390, 844, store, clipboard, {}, phone);
     if (resized) app.event(app::Resized{390, 844, 1});

@@ -1,4 +1,4 @@
-#include "app/key_bindings.hpp"
+#include "app/input/key_bindings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "app/launcher.hpp"
+#include "app/play/launcher.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "app/angry_balls_screen.hpp"
-#include "app/billiards_screen.hpp"
+#include "app/screens/angry_balls_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
 #include "games/launch.hpp"
 
 namespace {

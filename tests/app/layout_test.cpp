@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/billiards_screen.hpp"
-#include "app/level_view.hpp"
+#include "app/hud/practice_strip.hpp"
 #include "app/player.hpp"
-#include "app/practice_strip.hpp"
-#include "app/table_view.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/view/level_view.hpp"
+#include "app/view/table_view.hpp"
 #include "project_file.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"

@@ -1,4 +1,4 @@
-#include "app/level_fault.hpp"
+#include "app/widgets/level_fault.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,9 +1,9 @@
-#include "app/level.hpp"
+#include "app/storage/level.hpp"
 
 #include <gtest/gtest.h>
 #include <set>
 
-#include "app/text.hpp"
+#include "app/text/text.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
-#include "app/links.hpp"
+#include "app/storage/links.hpp"
 
+#include "app/play/session.hpp"
 #include "app/player.hpp"
-#include "app/session.hpp"
 #include "project_file.hpp"
 #include "replay/level_text.hpp"
 #include "replay/replay_file.hpp"
@@ -98,11 +98,11 @@ TEST_F(Links, AFileIsOpenedByWhatIsInIt) {
 
 TEST_F(Links, WhatIsCopiedIsALinkWhereThereIsAPage) {
   app::Session session{store, game.clipboard(), {}};
-  session.surroundings.link_prefix = "https://example.org/x/";
+  session.host.link_prefix = "https://example.org/x/";
   const std::string text = replay::write_text({});
   const std::string link = app::shared_text(session, {});
   EXPECT_EQ(link, "https://example.org/x/#replay=" + text);
-  session.surroundings = {};
+  session.host = {};
   EXPECT_EQ(app::shared_text(session, {}), text);
   // Either can be pasted anywhere.
   for (const std::string& shared : {text, link}) {

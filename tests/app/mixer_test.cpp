@@ -1,4 +1,4 @@
-#include "app/mixer.hpp"
+#include "app/audio/mixer.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

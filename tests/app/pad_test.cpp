@@ -1,4 +1,4 @@
-#include "app/pad.hpp"
+#include "app/input/pad.hpp"
 
 #include <gtest/gtest.h>
 #include <limits>

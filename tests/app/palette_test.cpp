@@ -1,4 +1,4 @@
-#include "app/palette.hpp"
+#include "app/graphics/palette.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "app/practice.hpp"
+#include "app/play/practice.hpp"
 
-#include "app/angry_balls_screen.hpp"
-#include "app/billiards_screen.hpp"
 #include "app/greedy_player.hpp"
 #include "app/player.hpp"
+#include "app/screens/angry_balls_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
 #include "games/launch.hpp"
 
 namespace {

@@ -1,11 +1,11 @@
-#include "app/preview.hpp"
+#include "app/play/preview.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
 
-#include "app/level.hpp"
+#include "app/storage/level.hpp"
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
 #include "games/launch.hpp"

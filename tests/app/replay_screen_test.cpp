@@ -1,6 +1,6 @@
-#include "app/replay_screen.hpp"
+#include "app/screens/replay_screen.hpp"
 
-#include "app/palette.hpp"
+#include "app/graphics/palette.hpp"
 #include "app/player.hpp"
 #include "project_file.hpp"
 #include "replay/replay_file.hpp"

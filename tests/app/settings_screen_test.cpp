@@ -1,7 +1,7 @@
 // The settings, changed by all that a player can do, hold at once, everywhere, and at the next
 // start.
 
-#include "app/settings_screen.hpp"
+#include "app/screens/settings_screen.hpp"
 
 #include "app/player.hpp"
 
@@ -62,7 +62,7 @@ TEST(SettingsScreen, AFingerIsAskedForAName) {
   app::MemoryClipboard clipboard;
   std::optional<std::string> answer = "  Zoé\n";
   std::vector<std::string> asked;
-  app::Surroundings page;
+  app::HostEnvironment page;
   page.ask_text = [&](const std::string& what, const std::string& text) {
     asked.push_back(what + "|" + text);
     return answer;
@@ -103,7 +103,7 @@ TEST(SettingsScreen, TheHelpIsATapAway) {
 TEST(SettingsScreen, APhoneIsForFingersFromTheStart) {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
-  app::Surroundings page;
+  app::HostEnvironment page;
   page.touch = true;
   app::App game(Language::english, 390, 844, store, clipboard, {}, page);
   game.event(app::KeyPressed{Key::settings});

@@ -1,4 +1,4 @@
-#include "app/settings.hpp"
+#include "app/storage/settings.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

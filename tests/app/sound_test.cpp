@@ -1,12 +1,12 @@
-#include "app/sound.hpp"
+#include "app/audio/sound.hpp"
 
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 
-#include "app/billiards_screen.hpp"
-#include "app/game_sounds.hpp"
 #include "app/player.hpp"
+#include "app/screens/billiards_screen.hpp"
+#include "app/view/game_sounds.hpp"
 #include "games/billiards.hpp"
 #include "games/launch.hpp"
 

@@ -1,12 +1,12 @@
-#include "app/stamps.hpp"
+#include "app/graphics/stamps.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "app/balls.hpp"
-#include "app/raster.hpp"
-#include "app/shapes.hpp"
+#include "app/graphics/raster.hpp"
+#include "app/graphics/shapes.hpp"
+#include "app/view/balls.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include "app/text.hpp"
+#include "app/text/text.hpp"
 
 #include <gtest/gtest.h>
 
 namespace {
 
-using app::Hand;
+using app::InputDevice;
 using app::Language;
 using app::Text;
 using app::Words;
@@ -55,7 +55,7 @@ TEST(Words, ShippedLevelsHaveFrenchNames) {
 
 TEST(Words, EveryTextInEveryLanguageForEveryHand) {
   for (const Language language : {Language::english, Language::french}) {
-    for (const Hand hand : {Hand::mouse, Hand::finger, Hand::pad}) {
+    for (const InputDevice hand : {InputDevice::mouse, InputDevice::finger, InputDevice::pad}) {
       for (int i = 0; i < static_cast<int>(Text::count); ++i) {
         Words words(language);
         words.take_hand(hand);
@@ -65,7 +65,7 @@ TEST(Words, EveryTextInEveryLanguageForEveryHand) {
         EXPECT_EQ(text.find("  "), std::string::npos) << text;
         const Text what = static_cast<Text>(i);
         const bool of_the_mouse = what == Text::help_mouse || what == Text::way_clicks;
-        if (hand == Hand::mouse || of_the_mouse) continue;
+        if (hand == InputDevice::mouse || of_the_mouse) continue;
         for (const char* const mouse : {"lick", "liqu", "clic"})
           EXPECT_EQ(text.find(mouse), std::string::npos) << text;
       }
@@ -78,20 +78,20 @@ TEST(Words, TellWhatTheHandDoes) {
   EXPECT_EQ(words(Text::hint_shoot), "Click where to send it. Esc or right click: take it back.");
   EXPECT_EQ(words(Text::next_throw, {"N"}), "Next throw (N)");
   const Words copy = words;
-  words.take_hand(Hand::finger);
+  words.take_hand(InputDevice::finger);
   EXPECT_EQ(copy(Text::hint_shoot), "Tap where to send it. Two fingers: take it back.");
   EXPECT_EQ(copy(Text::next_throw, {"N"}), "Next throw");
   EXPECT_EQ(copy(Text::way_clicks), "Two taps");
   words.speak(Language::french);
   EXPECT_EQ(copy(Text::hint_take_cue_ball), "Touchez la boule blanche pour viser.");
-  words.take_hand(Hand::mouse);
+  words.take_hand(InputDevice::mouse);
   EXPECT_EQ(copy(Text::hint_take_cue_ball), "Cliquez sur la boule blanche pour viser.");
 }
 
 TEST(Words, NameTheButtonOfTheGamepadThatShoots) {
   for (const Language language : {Language::english, Language::french}) {
     Words words(language);
-    words.take_hand(Hand::pad);
+    words.take_hand(InputDevice::pad);
     for (const Text how :
          {Text::hint_take_cue_ball,  Text::hint_not_cue_ball, Text::hint_shoot,
           Text::hint_too_weak,       Text::hint_place,        Text::hint_take_projectile,

@@ -1,9 +1,9 @@
-#include "app/trails.hpp"
+#include "app/view/trails.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/effects.hpp"
-#include "app/palette.hpp"
+#include "app/graphics/palette.hpp"
+#include "app/view/effects.hpp"
 
 namespace {
 
@@ -15,7 +15,7 @@ app::DrawList trail_at(double speed, bool moved_by_hand = false) {
   scene.friction = 1;
   scene.balls = {{.position = {100, 100}, .velocity = {speed, 0}}};
   carom::World world = carom::World::create(scene).value();
-  app::Motion motion;
+  app::Interpolator motion;
   for (int i = 0; i < 10; ++i) {
     motion.record(world);
     world.step();

@@ -1,9 +1,9 @@
-#include "app/viewport.hpp"
+#include "app/view/viewport.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "app/table_view.hpp"
+#include "app/view/table_view.hpp"
 #include "games/billiards.hpp"
 
 namespace {

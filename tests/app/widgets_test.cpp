@@ -1,4 +1,4 @@
-#include "app/widgets.hpp"
+#include "app/widgets/widgets.hpp"
 
 #include <gtest/gtest.h>
 #include <vector>

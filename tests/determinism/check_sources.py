@@ -20,8 +20,8 @@ KEYS_DIFFER = "// keys differ: "
 # Here floats choose what is then tested in doubles: they are rounded so that nothing is missed, and
 # what is found in vain changes nothing.
 FLOAT_FILES = ("include/carom/quadtree.hpp", "src/carom/quadtree.cpp",
-               "src/carom/packed_index.hpp", "src/carom/quadtree_search.hpp",
-               "src/carom/row_pairs.hpp", "src/carom/vectors.hpp")
+               "src/carom/internal/packed_index.hpp", "src/carom/internal/quadtree_search.hpp",
+               "src/carom/internal/row_pairs.hpp", "src/carom/internal/vectors.hpp")
 
 MATH = ("sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|sincos|pow|exp|exp2|expm1|"
         "log|log2|log10|log1p|hypot|cbrt|erf|erfc|tgamma|lgamma|fma|lerp")

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "app/billiards_screen.hpp"
+#include "app/screens/billiards_screen.hpp"
 #include "platform/null_platform.hpp"
 #include "platform/png.hpp"
 #include "replay/player.hpp"
@@ -108,7 +108,7 @@ class Visitor {
     }
     /// Pulls the ball that waits; `back`: in its radii.
     bool pull(app::Point back) {
-      const auto call = app().screen().call();
+      const auto call = app().screen().aim_prompt();
       if (!call) {
         std::fprintf(stderr, "no ball to pull in %s\n", app().describe().c_str());
         return false;
@@ -291,7 +291,7 @@ class Visitor {
       game.app().settings().set(settings);
       game.press(say("Billiards", "Billard"));
       game.pass(3s);
-      const auto call = game.app().screen().call();
+      const auto call = game.app().screen().aim_prompt();
       if (!call) continue;
       if (way == app::AimWay::clicks) game.click(call->at);
       const app::Point to = call->at + app::Point{6, -2} * call->radius;

@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "app/best_scores.hpp"
-#include "app/kept_games.hpp"
+#include "app/storage/best_scores.hpp"
+#include "app/storage/kept_games.hpp"
 #include "replay/recorder.hpp"
 
 namespace {

@@ -4,9 +4,9 @@
 #include <rapidcheck.h>
 #include <string>
 
-#include "app/balls.hpp"
-#include "app/shapes.hpp"
-#include "app/stamps.hpp"
+#include "app/graphics/shapes.hpp"
+#include "app/graphics/stamps.hpp"
+#include "app/view/balls.hpp"
 
 namespace {
 

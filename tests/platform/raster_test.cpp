@@ -1,10 +1,10 @@
-#include "app/raster.hpp"
+#include "app/graphics/raster.hpp"
 
 #include <array>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "app/shapes.hpp"
+#include "app/graphics/shapes.hpp"
 
 namespace {
 

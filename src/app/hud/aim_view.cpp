@@ -1,0 +1,256 @@
+#include "app/hud/aim_view.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "app/graphics/label.hpp"
+#include "app/graphics/palette.hpp"
+#include "app/graphics/shapes.hpp"
+#include "app/widgets/widgets.hpp"
+#include "games/launch.hpp"
+
+namespace app {
+namespace {
+
+constexpr double arrow_share = 0.2;  ///< of the drag, when a preview shows the rest
+
+/// From calm to furious.
+Color strength_color(const Palette& palette, double strength) {
+  const auto& [calm, brisk, furious] = palette.strength;
+  const auto t = static_cast<float>(strength);
+  return t < 0.5f ? mix(calm, brisk, t * 2) : mix(brisk, furious, t * 2 - 1);
+}
+
+void draw_bar(Canvas& canvas, const Rect& bar, const Aim& aim) {
+  const float radius = bar.h / 2;
+  fill_rounded(canvas.list, bar, radius, palette::slate_bottom);
+  Rect filled = bar.inset(canvas.px(2));
+  const float full = filled.w;
+  filled.w = std::max(full * static_cast<float>(aim.strength()), filled.h);
+  if (!aim.too_weak()) {
+    const Paint heat(Point{bar.x, 0}, strength_color(*canvas.list.palette, 0), {filled.right(), 0},
+                     strength_color(*canvas.list.palette, aim.strength()));
+    fill_rounded(canvas.list, filled, filled.h / 2, heat);
+  }
+  for (int quarter = 1; quarter < 4; ++quarter) {
+    const float x = bar.x + bar.w * static_cast<float>(quarter) / 4;
+    line(canvas.list, {x, bar.y + canvas.px(2)}, {x, bar.bottom() - canvas.px(2)}, canvas.px(1),
+         faded(palette::cream, 0.35f));
+  }
+  stroke_rounded(canvas.list, bar, radius, canvas.px(aim.capped() ? 2 : 1),
+                 aim.capped() ? strength_color(*canvas.list.palette, 1) : palette::panel_edge);
+}
+
+/// The bar, and above it the launch in numbers: off the table, where they cover no ball.
+void draw_meter(Canvas& canvas, const Rect& meter, const Aim& aim, const Words& words) {
+  Rect rest = meter;
+  const Rect numbers = rest.cut_top(std::round(rest.h * 0.58f));
+  draw_bar(canvas, centered(rest.center(), rest.w, canvas.px(12)), aim);
+  const std::string speed = words(aim.capped() ? Text::speed_capped : Text::speed,
+                                  {words.number(static_cast<int>(std::lround(aim.speed())))});
+  label(canvas, numbers,
+        {Face::bold, 18, aim.capped() ? strength_color(*canvas.list.palette, 1) : palette::cream,
+         Align::center},
+        words(Text::aimed, {words.tenths(aim.degrees()), speed}));
+}
+
+/// A path in the window, without the places that lie on a straight line between others: no seams.
+/// A ball that runs into something within a step is put back before it goes on; of that only the
+/// bend is kept, not the hook of some px.
+std::vector<Point> corners(const Viewport& viewport, std::span<const Waypoint> path) {
+  const float hook = viewport.px(carom::default_radius);
+  constexpr float bend = 0.004f;  // sine of the least change of direction to be drawn
+  std::vector<Point> points;
+  for (const Waypoint& waypoint : path) {
+    const Point next = viewport.to_window(waypoint.at);
+    if (!points.empty() && length(next - points.back()) < 0.01f) continue;
+    if (waypoint.bend && points.size() > 1 && length(next - points.back()) < hook)
+      points.pop_back();
+    if (points.size() > 1) {
+      const Point before = unit(points.back() - points[points.size() - 2]);
+      const Point after = unit(next - points.back());
+      if (dot(before, after) > 0 && std::abs(dot(turned(before), after)) < bend) points.pop_back();
+    }
+    points.push_back(next);
+  }
+  return points;
+}
+
+/// Takes `by` px off a path's start.
+void trim_start(std::vector<Point>& points, float by) {
+  while (points.size() > 1) {
+    const float first = length(points[1] - points[0]);
+    if (first > by) {
+      points[0] = points[0] + unit(points[1] - points[0]) * by;
+      return;
+    }
+    by -= first;
+    points.erase(points.begin());
+  }
+  points.clear();
+}
+
+void trim_end(std::vector<Point>& points, float by) {
+  std::ranges::reverse(points);
+  trim_start(points, by);
+  std::ranges::reverse(points);
+}
+
+void draw_lines(DrawList& list, std::span<const Point> points, float width, Color color) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    line(list, points[i - 1], points[i], width, color);
+}
+
+/// A dark casing keeps a line visible on felt, wood, sky and balls alike.
+void draw_cased(DrawList& list, std::span<const Point> points, float width, Color color) {
+  draw_lines(list, points, width + 2, faded(palette::ink, 0.55f));
+  draw_lines(list, points, width, color);
+}
+
+void draw_ring(DrawList& list, Point center, float radius, float width, Color color) {
+  stroke_circle(list, center, radius, width + 2, faded(palette::ink, 0.55f));
+  stroke_circle(list, center, radius, width, color);
+}
+
+/// The launch itself; `reach` (window px): from the ball's centre to the arrow's tip.
+void draw_arrow(DrawList& list, const Viewport& viewport, Point from, Point way, float ball,
+                float reach, const Aim& aim) {
+  const Point start = from + way * (ball * 1.4f);
+  const Point tip = from + way * std::max(reach, ball * 1.4f + viewport.px(4));
+  const Color color = strength_color(*list.palette, aim.strength());
+  const float head = std::min(viewport.px(18), length(tip - start) * 0.6f);
+  const float width = viewport.px(4);
+  const Point neck = tip - way * head;
+  const Point across = turned(way) * (head * 0.5f);
+  const std::array triangle{tip, neck + across, neck - across};
+  const Color casing = faded(palette::ink, 0.75f);
+  stroke(list, triangle, viewport.px(4), casing);
+  line(list, start, neck + way, width + viewport.px(3), faded(palette::ink, 0.45f));
+  line(list, start, neck + way, width, Paint(start, faded(color, 0.35f), neck, color));
+  fill(list, triangle, color);
+  if (aim.capped()) {  // a bar across: no further
+    const Point at = tip + way * width;
+    const Point stop = turned(way) * (head * 0.8f);
+    line(list, at - stop, at + stop, width + viewport.px(3), casing);
+    line(list, at - stop, at + stop, width, color);
+  }
+}
+
+/// `from` (px): how far from the lead's centre the arrow reaches; its way begins there.
+void draw_preview(DrawList& list, const Viewport& viewport, const carom::World& world,
+                  const Preview& preview, float from) {
+  const float radius = viewport.px(world.ball(0).radius);
+  const float width = std::max(std::round(viewport.px(1.6)), 1.5f);
+  const bool flight = world.scene().gravity > 0;
+  if (!flight) {
+    std::vector<Point> after = corners(viewport, preview.lead_after);
+    trim_start(after, radius);
+    draw_cased(list, after, width, faded(palette::cream, 0.6f));
+    std::vector<Point> before = corners(viewport, preview.lead);
+    trim_start(before, from);
+    if (preview.ghost) trim_end(before, radius);
+    draw_cased(list, before, width, palette::cream);
+  }
+  const std::vector<Point> target = corners(viewport, preview.target);
+  draw_cased(list, target, width + 1, palette::brass_lit);
+  if (target.size() > 1) {
+    const float dot = width + 2;
+    fill_disc(list, target.back(), dot + 1, faded(palette::ink, 0.55f));
+    fill_disc(list, target.back(), dot, palette::brass_lit);
+  }
+  for (std::size_t i = 0; i < preview.dots.size(); ++i) {
+    const auto age = static_cast<float>(i * steps_per_dot) / static_cast<float>(dotted_steps);
+    const float size = std::max(viewport.px(4) * (1 - 0.5f * std::min(age, 1.0f)), 1.6f);
+    const Point at = viewport.to_window(preview.dots[i]);
+    if (length(at - viewport.to_window(world.ball(0).position)) < from + size) continue;
+    fill_disc(list, at, size + 1.2f, faded(palette::ink, 0.6f));
+    fill_disc(list, at, size, palette::cream);
+  }
+  if (preview.ghost)
+    draw_ring(list, viewport.to_window(*preview.ghost), radius, width, palette::cream);
+  if (preview.pocketed) {
+    const BallPath& path = preview.lead_after.empty() ? preview.lead : preview.lead_after;
+    const Point at = viewport.to_window(path.back().at);
+    draw_ring(list, at, radius * 1.3f, width + 1, list.palette->refused);
+    const float arm = radius * 0.7f;
+    for (const float side : {-1.0f, 1.0f})
+      draw_cased(list, std::array{at + Point{-arm, -arm * side}, at + Point{arm, arm * side}},
+                 width + 1, list.palette->refused);
+  }
+}
+
+}  // namespace
+
+void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& world, const Aim& aim,
+              const Preview& preview) {
+  const carom::Ball ball = world.ball(0);
+  const Point from = viewport.to_window(ball.position);
+  const float radius = viewport.px(ball.radius);
+  if (aim.too_weak()) {
+    stroke_circle(list, from, radius * 1.7f, viewport.px(1.5), palette::cream);
+    return;
+  }
+  const carom::Vec2 reach = aim.velocity() / games::launch_factor;
+  const bool foretold = !preview.lead.empty();
+  const Point way = unit(viewport.to_window(ball.position + reach) - from);
+  const float arrow = foretold ? radius * 1.4f + viewport.px(carom::length(reach) * arrow_share)
+                               : viewport.px(carom::length(reach));
+  // First the arrow: it hides nothing of what will happen.
+  draw_arrow(list, viewport, from, way, radius, arrow, aim);
+  draw_preview(list, viewport, world, preview, arrow);
+}
+
+void draw_sling(DrawList& list, const Viewport& viewport, const carom::Ball& lead, Point to) {
+  const Point from = viewport.to_window(lead.position);
+  const float radius = viewport.px(lead.radius);
+  const Point across = turned(unit(to - from)) * radius;
+  for (const float side : {-1.0f, 1.0f})
+    draw_cased(list, std::array{from + across * side, to}, viewport.px(2), palette::brass);
+  fill_disc(list, to, viewport.px(6) + 1, faded(palette::ink, 0.55f));
+  fill_disc(list, to, viewport.px(6), palette::brass);
+}
+
+Rect strength_meter(const View& view, const Rect& footer) {
+  Rect rest = footer.inset(view.px(16), view.px(4));
+  return view.narrow() ? rest.cut_top(rest.h / 2)
+                       : rest.cut_right(std::min(view.px(240), rest.w * 0.3f));
+}
+
+Rect shoot_button(const View& view, const Rect& footer) {
+  Rect rest = footer.inset(view.px(16), view.px(4));
+  if (view.narrow()) rest.cut_top(rest.h / 2);
+  return rest.cut_left(view.px(112));
+}
+
+void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
+                 const Words& words, const std::string& hint, Color color, bool shoot) {
+  Rect rest = area.inset(canvas.px(16), canvas.px(4));
+  if (aim && aim->active()) {
+    const Rect meter = strength_meter(canvas.view, area);
+    if (canvas.view.narrow())
+      rest.cut_top(meter.h);
+    else
+      rest.cut_right(meter.w + canvas.px(16));
+    if (entry)
+      entry->draw(canvas, meter, words);
+    else
+      draw_meter(canvas, meter, *aim, words);
+  }
+  if (shoot) {
+    const Rect box = shoot_button(canvas.view, area);
+    rest.cut_left(box.w + canvas.px(12));
+    Buttons button({words(Text::shoot)}, 0);
+    button.explain(0, words(Text::tip_shoot));
+    button.place(canvas.view, 0, box);
+    button.draw(canvas, 18);
+  }
+  // In the window's middle, where it stands without a meter, if it fits there.
+  const TextStyle style{Face::regular, 18, color, Align::center};
+  const Point middle{area.center().x, rest.center().y};
+  const float half = std::min(middle.x - rest.x, rest.right() - middle.x);
+  if (label_width(canvas, style, hint) <= 2 * half) rest = centered(middle, 2 * half, rest.h);
+  label(canvas, rest, style, hint);
+}
+
+}  // namespace app

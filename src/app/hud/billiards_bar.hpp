@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "app/hud/user_bar.hpp"
+#include "app/text/text.hpp"
+
+namespace app {
+
+/// Both players' scores, whose turn it is, and what is left.
+class BilliardsBar : public UserBar {
+ public:
+  struct Content {
+    std::array<int, 2> scores{};
+    std::optional<int> on;  ///< whose turn it is; none when the game is over
+    int balls_left = 0;
+    int turn_points = 0;
+  };
+
+  explicit BilliardsBar(const Words& words);
+
+  void resize(const View& view, const Rect& area);
+  void draw(Canvas& canvas, const Content& content) const;
+
+ private:
+  void draw_player(Canvas& canvas, const Content& content, int player) const;
+
+  Words words_;
+  std::array<Rect, 2> players_;
+  std::array<Rect, 2> counts_;  ///< balls left, points of this turn
+};
+
+}  // namespace app

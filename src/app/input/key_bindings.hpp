@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/input/input.hpp"
+#include "carom/result.hpp"
+
+namespace app {
+
+/// What a key does that the player can put elsewhere. All other keys are fixed.
+enum class Command : std::uint8_t {
+  again,  ///< starts anew; in practice repeats the throw
+  next,   ///< the next throw
+  pause,
+  fast,  ///< as long as it is held
+  mute,
+};
+inline constexpr std::array all_commands{Command::again, Command::next, Command::pause,
+                                         Command::fast, Command::mute};
+
+/// Which letter does what. No letter does two things.
+class KeyBindings {
+ public:
+  Key key_of(Command command) const { return keys_[static_cast<std::size_t>(command)]; }
+  /// Only letters can be taken, and none that does something else: then nothing changes.
+  carom::Status bind(Command command, Key key);
+  /// What a screen is to get when `pressed` is pressed: for a letter the one that its command has
+  /// at first, none if it has no command; any other key itself.
+  std::optional<Key> meaning(Key pressed) const;
+
+  /// Names of commands and letters, "again" and "r", for a file.
+  std::vector<std::pair<std::string, std::string>> to_pairs() const;
+  /// What is left out stays at its default. Fails on unknown names, what is named twice, and
+  /// letters that would do two things.
+  static carom::Result<KeyBindings> from_pairs(
+      const std::vector<std::pair<std::string, std::string>>& pairs);
+
+  friend bool operator==(const KeyBindings&, const KeyBindings&) = default;
+
+ private:
+  std::array<Key, all_commands.size()> keys_{Key::r, Key::n, Key::p, Key::f, Key::m};
+};
+
+inline bool is_letter(Key key) { return key >= Key::a && key <= Key::z; }
+
+/// The keyboard as the player has it.
+struct Keyboard {
+  KeyBindings bindings;
+  /// What is printed on a letter's key; empty: as in the United States. May give an empty text.
+  std::function<std::string(Key)> label;
+
+  /// What to call the key of a command.
+  std::string name(Command command) const;
+};
+
+}  // namespace app

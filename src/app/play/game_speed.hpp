@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "app/graphics/canvas.hpp"
+#include "app/input/input.hpp"
+#include "app/play/clock.hpp"
+#include "app/text/text.hpp"
+
+namespace app {
+
+/// How quickly a game is shown, by the player's hand and by what happens: P pauses, F or a finger
+/// held down goes faster, a decisive moment passes slowly. Only how many steps a frame makes: the
+/// steps are the same.
+class GameSpeed {
+ public:
+  /// A decisive moment is shown slowly for so long, real time.
+  static constexpr nanoseconds slow_time = std::chrono::milliseconds{1500};
+  /// So long a press is a touch like any other, not yet one that is held.
+  static constexpr nanoseconds touch_time = std::chrono::milliseconds{250};
+
+  /// Whether it was meant for the pace: then it is done with. `free`: the game is on top, and may
+  /// be paused. `watches`: a press does nothing else there.
+  bool event(const Input& input, bool free, bool watches);
+  bool paused() const { return paused_; }
+  /// Slow from now on; at most once a game.
+  void decisive();
+  void new_game() { *this = {}; }
+  /// The speed of a frame that takes `elapsed`.
+  Speed pass(nanoseconds elapsed);
+
+  /// Over `area`, while paused.
+  void draw_veil(Canvas& canvas, const Rect& area, const Words& words) const;
+
+ private:
+  bool paused_ = false;
+  bool fast_ = false;                   ///< the key is held down
+  std::optional<nanoseconds> pressed_;  ///< for how long, while the balls are watched
+  bool was_slow_ = false;               ///< in this game
+  nanoseconds slow_left_{};
+};
+
+}  // namespace app

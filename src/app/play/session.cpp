@@ -1,0 +1,45 @@
+#include "app/play/session.hpp"
+
+#include "app/storage/links.hpp"
+#include "replay/replay_file.hpp"
+#include "replay/replay_text.hpp"
+
+namespace app {
+
+Language language_of(const Session& session) {
+  if (session.asked_language) return *session.asked_language;
+  switch (session.settings.get().language) {
+    case LanguageChoice::english:
+      return Language::english;
+    case LanguageChoice::french:
+      return Language::french;
+    case LanguageChoice::system:
+      break;
+  }
+  return session.system_language;
+}
+
+games::billiards::Options options_of(const Session& session) {
+  const Settings& settings = session.settings.get();
+  return {.first_player = first_player(settings.breaks, session.last_game),
+          .keep_turn = settings.keep_turn};
+}
+
+Pasted take_pasted(Session& session) {
+  const auto text = session.clipboard.text();
+  if (!text) return Pasted::later;
+  auto read = replay::read_replay(behind(links::replay, *text).value_or(*text));
+  if (!read)
+    return fault_of(read.errors()) == ReplayFault::other_version ? Pasted::other_version
+                                                                 : Pasted::damaged;
+  session.to_watch = std::move(read).value();
+  return Pasted::replay;
+}
+
+std::string shared_text(const Session& session, const replay::Replay& replay) {
+  const std::string text = replay::write_text(replay);
+  const std::string& prefix = session.host.link_prefix;
+  return prefix.empty() ? text : prefix + std::string(links::replay) + text;
+}
+
+}  // namespace app

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/audio/sound.hpp"
+#include "app/input/key_bindings.hpp"
+#include "app/storage/aim_settings.hpp"
+#include "app/storage/campaign.hpp"
+#include "app/storage/clipboard.hpp"
+#include "app/storage/host_environment.hpp"
+#include "app/storage/kept_games.hpp"
+#include "app/storage/saved_replays.hpp"
+#include "app/storage/settings.hpp"
+#include "app/text/text.hpp"
+#include "replay/recorder.hpp"
+
+namespace app {
+
+using BilliardsRecorder = replay::Recorder<games::billiards::Game>;
+using LevelRecorder = replay::Recorder<games::angry_balls::Game>;
+
+/// Something that went wrong, to be told on the title screen.
+struct Notice {
+  std::string title;
+  std::string line;
+};
+
+/// What the screens share and hand on to each other.
+struct Session {
+  /// Store and clipboard must outlive this.
+  Session(Store& store, Clipboard& shared, std::vector<Level> levels, HostEnvironment where = {})
+      : campaign{std::move(levels), BestScores(store), 0},
+        kept(store),
+        saved(store),
+        settings(store),
+        clipboard(shared),
+        host(std::move(where)) {}
+
+  /// Nothing moves for show only: no trails, no slow motion, no shaking.
+  bool calm() const {
+    const ReducedMotion wanted = settings.get().reduced_motion;
+    return wanted == ReducedMotion::on ||
+           (wanted == ReducedMotion::system && system_reduced_motion);
+  }
+
+  /// The lesson is shown wherever a ball waits to be shot.
+  bool teaches() const { return teach && settings.get().hints; }
+
+  Campaign campaign;
+  KeptGames kept;
+  SavedReplays saved;
+  KeptSettings settings;
+  Clipboard& clipboard;
+  Language system_language = Language::english;
+  /// Asked for at this start: stronger than the settings, until the player changes them.
+  std::optional<Language> asked_language;
+  std::optional<FinishedGame> last_game;  ///< of billiards, since the start
+  Sounds sounds;                          ///< noted and not yet played
+  bool system_reduced_motion = false;     ///< what the desktop or browser asks for
+  HostEnvironment host;
+  std::optional<Notice> notice;
+  Keyboard keyboard;
+  bool teach = false;                      ///< how to shoot is not known yet
+  std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
+  replay::Kind to_continue{};              ///< what Transition::load goes on with
+  bool level_opened = false;  ///< the current one is played if the game kept is given up
+  /// What Transition::resume goes on with.
+  std::optional<std::variant<BilliardsRecorder, LevelRecorder>> loaded;
+};
+
+/// The language to speak now.
+Language language_of(const Session& session);
+/// What a new game of billiards is played by.
+games::billiards::Options options_of(const Session& session);
+
+enum class Pasted : std::uint8_t {
+  replay,  ///< it is the replay to watch
+  later,   ///< it comes with Key::paste
+  damaged,
+  other_version,
+};
+
+/// Makes what the clipboard holds, a replay's text or a link to one, the replay to watch.
+Pasted take_pasted(Session& session);
+
+/// What copying a replay gives: its text, or a link to it.
+std::string shared_text(const Session& session, const replay::Replay& replay);
+
+}  // namespace app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/input/key_bindings.hpp"
+#include "app/screens/keys_panel.hpp"
+#include "app/text/text.hpp"
+#include "app/widgets/widgets.hpp"
+
+namespace app {
+
+/// All keys, and what mouse, fingers and gamepad do, over any screen; on as many pages as the
+/// window makes of it.
+class Help {
+ public:
+  /// `keyboard` must outlive this.
+  Help(const Words& words, Keyboard& keyboard);
+
+  void resize(const View& view);
+  /// `input` with the keys as they are pressed. False: closed.
+  bool event(const Input& input);
+  void draw(Canvas& canvas) const;
+  std::string describe() const;
+
+ private:
+  struct Line {
+    std::size_t page = 0;
+    Rect box;
+    std::string key;   ///< of a title the only text
+    std::string what;  ///< empty: a title
+  };
+  enum Button : std::size_t { keys, close };
+  enum Pager : std::size_t { previous, next };
+
+  struct Section {
+    Text title;
+    Text lines;
+  };
+
+  void lay_out();
+  void lay_out(std::span<const Section> in_order);
+  void turn(std::size_t by);
+
+  Words words_;
+  Keyboard& keyboard_;
+  View view_;
+  Buttons buttons_;
+  Buttons pager_;  ///< there if there are several pages
+  std::optional<KeysPanel> panel_;
+  std::vector<Line> lines_;
+  std::size_t page_ = 0;
+  std::size_t pages_ = 1;
+  Rect frame_;
+  Rect head_;
+  Rect page_label_;
+};
+
+}  // namespace app

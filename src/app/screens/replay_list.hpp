@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/play/session.hpp"
+#include "app/text/text.hpp"
+#include "app/widgets/screen.hpp"
+#include "app/widgets/widgets.hpp"
+
+namespace app {
+
+/// The replays saved, a line each, on as many pages as they need.
+class ReplayList final : public Screen {
+ public:
+  ReplayList(const Words& words, Session& session);
+
+  void resize(const View& view) override;
+  Transition event(const Input& input) override;
+  Transition iterate(nanoseconds) override { return Transition::stay; }
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  bool animating() const override { return false; }
+
+ private:
+  /// A line of the page.
+  struct Entry {
+    std::string name;
+    std::optional<replay::Replay> replay;  ///< none: it cannot be shown
+    ReplayFault fault{};
+  };
+
+  void show_page(std::size_t page);
+  std::size_t pages() const;
+  Transition choose(std::size_t button);
+  Transition paste();
+  std::string describe(const Entry& entry) const;
+  std::string fault(const Entry& entry) const;
+  void draw_entry(Canvas& canvas, std::size_t index) const;
+
+  Words words_;
+  Session& session_;
+  std::vector<std::string> names_;
+  std::vector<Entry> entries_;  ///< of the page
+  /// The page's entries; then, if there are several pages, back and forward; then paste, title.
+  Buttons buttons_{{}};
+  std::size_t per_page_ = 1;
+  std::size_t page_ = 0;
+  std::string message_;
+  View view_;
+  Rect head_;
+  Rect rows_;
+  Rect foot_;
+  Rect page_label_;
+};
+
+}  // namespace app

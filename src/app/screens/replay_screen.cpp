@@ -1,0 +1,459 @@
+#include "app/screens/replay_screen.hpp"
+
+#include <array>
+#include <numeric>
+
+#include "app/graphics/label.hpp"
+#include "app/graphics/palette.hpp"
+#include "app/graphics/shapes.hpp"
+#include "app/screens/load_screen.hpp"
+#include "app/view/game_effects.hpp"
+#include "app/view/game_sounds.hpp"
+#include "app/view/level_view.hpp"
+#include "app/view/table_view.hpp"
+
+namespace app {
+namespace {
+
+enum Button : std::size_t {
+  previous,
+  play,
+  one,
+  following,
+  slower,
+  faster,
+  keep,
+  copy_text,
+  close
+};
+
+struct NamedSpeed {
+  Speed speed;
+  std::string_view name;
+};
+constexpr std::array<NamedSpeed, 7> speeds{{{slow_motion, "¼"},
+                                            {{2}, "½"},
+                                            {real_speed, "1"},
+                                            {{8}, "2"},
+                                            {fast_forward, "4"},
+                                            {{32}, "8"},
+                                            {{64}, "16"}}};
+constexpr std::size_t first_speed = 2;
+
+constexpr float least_mark_width = 3;  ///< units: narrower ones would only be a grey bar
+
+/// Turn and status stand below the buttons, the players are not named.
+bool tight(const View& view) { return view.width < view.px(960); }
+
+}  // namespace
+
+ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player player)
+    : words_(words),
+      session_(session),
+      player_(std::move(player)),
+      speed_(first_speed),
+      buttons_({words(Text::previous_turn), words(Text::pause), words(Text::one_step),
+                words(Text::following_turn), words(Text::slower), words(Text::faster),
+                words(Text::save_replay), words(Text::copy), words(Text::close)}) {
+  interpolator_.record(replay::world(player_.game()));
+}
+
+void ReplayScreen::resize(const View& view) {
+  view_ = view;
+  constexpr std::array tips{Text::tip_previous_turn,  Text::tip_play,   Text::tip_step,
+                            Text::tip_following_turn, Text::tip_slower, Text::tip_faster,
+                            Text::tip_save,           Text::tip_copy,   Text::tip_close_replay};
+  for (std::size_t i = 0; i < tips.size(); ++i) buttons_.explain(i, words_(tips[i]));
+  const bool narrow = view.narrow();
+  const float gap = view.px(6);
+  Rect rest = view.area();
+  const float height = view.button(40);
+  top_ = rest.cut_top(height + view.px(narrow ? 60 : 24));
+  bottom_ = rest.cut_bottom(height + view.px(tight(view) ? 98 : 84));
+  world_ = rest;
+
+  const float width = view.px(narrow ? 760 : 1120);
+  Rect top = centered(top_.center(), std::min(top_.w, width), top_.h).inset(view.px(8));
+  Rect commands = narrow ? top.cut_bottom(height) : top.cut_right(view.px(336));
+  for (const Button button : {keep, copy_text, close}) {
+    const auto left = static_cast<float>(close - button + 1);
+    buttons_.place(view, button, commands.cut_left((commands.w - gap * (left - 1)) / left));
+    commands.cut_left(gap);
+  }
+  if (!narrow) top.cut_right(gap * 2);
+  score_ = top.cut_right(std::round(top.w * 0.45f));
+  top.cut_right(gap);
+  name_ = top;
+
+  Rect bottom = centered(bottom_.center(), std::min(bottom_.w, width), bottom_.h)
+                    .inset(view.px(8), view.px(6));
+  timeline_ = bottom.cut_top(view.px(24));
+  bottom.cut_top(view.px(8));
+  Rect row = bottom.cut_top(height);
+  bottom.cut_top(view.px(4));
+  hint_ = bottom.cut_bottom(view.px(26));
+  const float between = std::min(gap, row.w * 0.008f);
+  // For fingers the least ones are wider, at the cost of the others.
+  constexpr std::array plain{76.0f, 84.0f, 64.0f, 76.0f, 44.0f, 52.0f, 44.0f};
+  constexpr std::array fingers{71.0f, 76.0f, 59.0f, 71.0f, 54.0f, 45.0f, 54.0f};
+  const auto& widths = view.touch ? fingers : plain;
+  const float wanted = view.px(std::accumulate(widths.begin(), widths.end(), 0.0f)) + 6 * between;
+  // On a phone all of them are narrower together.
+  const float part = std::min(1.0f, (row.w - 6 * between) / (wanted - 6 * between));
+  const float controls_width = std::min(wanted, row.w);
+  if (tight(view)) {
+    status_ = bottom;
+    turn_ = status_.cut_left(std::round(status_.w * 0.54f));
+    status_.cut_left(gap);
+    row = centered(row.center(), controls_width, row.h);
+  } else {
+    const float side = (row.w - controls_width) / 2 - gap;
+    turn_ = row.cut_left(side);
+    row.cut_left(gap);
+    status_ = row.cut_right(side);
+    row.cut_right(gap);
+  }
+  const auto next = [&](float units) {
+    const Rect box = row.cut_left(view.px(units) * part);
+    row.cut_left(between);
+    return box;
+  };
+  buttons_.place(view, previous, next(widths[0]));
+  buttons_.place(view, play, next(widths[1]));
+  buttons_.place(view, one, next(widths[2]));
+  buttons_.place(view, following, next(widths[3]));
+  buttons_.place(view, slower, next(widths[4]));
+  speed_label_ = next(widths[5]);
+  buttons_.place(view, faster, next(widths[6]));
+
+  const carom::Scene& scene = replay::world(player_.game()).scene();
+  viewport_ = player_.replay().level ? level_viewport(world_, *player_.replay().level)
+                                     : table_viewport(world_.inset(view.px(6)), scene);
+  session_.sounds.turn(viewport_.turned());
+}
+
+Transition ReplayScreen::event(const Input& input) {
+  const auto* press_at = std::get_if<PointerPressed>(&input);
+  if (press_at && press_at->button == PointerButton::left && timeline_.contains(press_at->at))
+    seek(turn_at(press_at->at));
+  if (const auto* key = std::get_if<KeyPressed>(&input)) {
+    switch (key->key) {
+      case Key::space:
+      case Key::p:
+        return press(play);
+      case Key::period:
+        return press(one);
+      case Key::left:
+        return press(previous);
+      case Key::right:
+        return press(following);
+      case Key::plus:
+      case Key::up:
+        return press(faster);
+      case Key::minus:
+      case Key::down:
+        return press(slower);
+      case Key::copy:
+        return press(copy_text);
+      case Key::escape:
+        return Transition::back;
+      default:
+        break;
+    }
+  }
+  const auto chosen = buttons_.event(input);
+  return chosen ? press(*chosen) : Transition::stay;
+}
+
+Transition ReplayScreen::press(std::size_t button) {
+  message_.clear();
+  const std::size_t now = wanted_.value_or(player_.turn());
+  const bool at_end = ended_ && !wanted_;
+  switch (static_cast<Button>(button)) {
+    case previous: {
+      // First to the start of the turn that is shown.
+      const auto& turns = player_.turns();
+      const bool inside = !wanted_ && !turns.empty() && player_.steps() > turns[now].first_step;
+      seek(inside || now == 0 ? now : now - 1);
+      break;
+    }
+    case following:
+      if (!at_end) seek(now + 1);
+      break;
+    case play:
+      play_or_pause();
+      break;
+    case one:
+      playing_ = false;
+      wanted_.reset();
+      step();
+      break;
+    case slower:
+      change_speed(-1);
+      break;
+    case faster:
+      change_speed(1);
+      break;
+    case keep:
+      save();
+      break;
+    case copy_text:
+      copy();
+      break;
+    case close:
+      return Transition::back;
+  }
+  buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
+  return Transition::stay;
+}
+
+void ReplayScreen::play_or_pause() {
+  if (!playing_ && ended_) seek(0);
+  playing_ = !playing_;
+  clock_.reset();
+}
+
+void ReplayScreen::change_speed(int by) {
+  const auto wanted = static_cast<std::ptrdiff_t>(speed_) + by;
+  if (wanted >= 0 && wanted < static_cast<std::ptrdiff_t>(speeds.size()))
+    speed_ = static_cast<std::size_t>(wanted);
+}
+
+void ReplayScreen::seek(std::size_t turn) {
+  wanted_ = std::min(turn, player_.turns().size());
+  go_where_wanted();
+}
+
+/// As soon as the look-ahead has been there, and no further than it can go.
+void ReplayScreen::go_where_wanted() {
+  if (!wanted_) return;
+  const bool is_end = *wanted_ >= player_.reached_turns();
+  if (is_end && !complete_) return;
+  player_.seek(is_end ? player_.turns().size() : *wanted_);
+  wanted_.reset();
+  ended_ = is_end;
+  if (ended_) playing_ = false;
+  effects_.clear();
+  clock_.reset();
+  interpolator_.restart(replay::world(player_.game()));
+}
+
+void ReplayScreen::step() {
+  const auto& turns = player_.turns();
+  const std::uint64_t before = player_.steps();
+  const bool begins = !turns.empty() && before == turns[player_.turn()].first_step;
+  interpolator_.record(replay::world(player_.game()));
+  const bool was_over = replay::over(player_.game());
+  const bool went_on = player_.step();
+  const auto* level = std::get_if<games::angry_balls::Game>(&player_.game());
+  if (!was_over && level && level->phase() == games::angry_balls::Phase::lost)
+    session_.sounds.note({SoundKind::lose});
+  if (!went_on) {
+    ended_ = true;
+    playing_ = false;
+    return;
+  }
+  // A ball that was put down has not rolled there.
+  const carom::World& world = replay::world(player_.game());
+  if (begins) interpolator_.restart(world);
+  if (player_.steps() == before) return;
+  if (begins && world.in_play(0)) note_launch(session_.sounds, world.ball(0), world.scene());
+  std::visit([&](const auto& game) { show_step(effects_, session_.sounds, game, words_); },
+             player_.game());
+}
+
+Transition ReplayScreen::iterate(nanoseconds elapsed) {
+  effects_.advance(elapsed);
+  if (!complete_) complete_ = !player_.look_ahead(steps_at_once(player_));
+  go_where_wanted();
+  if (playing_ && !wanted_) {
+    auto due = std::min(static_cast<std::uint64_t>(clock_.advance(elapsed, speeds[speed_].speed)),
+                        steps_at_once(player_));
+    for (; due > 0 && playing_; --due) step();
+  }
+  buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
+  return Transition::stay;
+}
+
+bool ReplayScreen::animating() const { return playing_ || !complete_ || effects_.active(); }
+
+void ReplayScreen::save() {
+  const replay::Replay& replay = player_.replay();
+  // The hashes that a text leaves out come from playing it.
+  if (replay.short_hashes && !complete_) {
+    message_ = words_(Text::verifying);
+    return;
+  }
+  const auto name = session_.saved.save(replay);
+  message_ = name ? words_(Text::replay_saved, {name.value()}) : words_(Text::replay_not_saved);
+}
+
+void ReplayScreen::copy() {
+  const bool copied = session_.clipboard.set_text(shared_text(session_, player_.replay()));
+  message_ = words_(copied ? Text::replay_copied : Text::replay_not_copied);
+}
+
+std::uint64_t ReplayScreen::total_steps() const {
+  const auto& turns = player_.turns();
+  return turns.empty() ? 0 : turns.back().first_step + turns.back().steps;
+}
+
+std::size_t ReplayScreen::turn_at(Point at) const {
+  const auto part = static_cast<double>((at.x - timeline_.x) / timeline_.w);
+  const double step = part * static_cast<double>(total_steps());
+  const auto& turns = player_.turns();
+  const auto after = std::ranges::upper_bound(turns, step, {}, [](const replay::Turn& turn) {
+    return static_cast<double>(turn.first_step);
+  });
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - turns.begin(), 1) - 1);
+}
+
+void ReplayScreen::draw(Canvas& canvas) const {
+  draw_world(canvas);
+  draw_top(canvas);
+  draw_bottom(canvas);
+}
+
+void ReplayScreen::draw_world(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  const std::size_t begin = list.vertices.size();
+  const carom::World& world = replay::world(player_.game());
+  const double fraction = playing_ ? clock_.fraction() : 1;
+  if (const auto& level = player_.replay().level) {
+    draw_level(list, world_, viewport_, *level);
+    list.stand_still();
+    effects_.draw_under_balls(list, viewport_);
+    if (!canvas.calm) draw_level_trails(list, viewport_, world, *level, interpolator_, fraction);
+    draw_level_balls(list, world_, viewport_, world, *level, interpolator_, fraction);
+  } else {
+    draw_table(list, canvas.view.area(), viewport_, world.scene());
+    list.stand_still();
+    effects_.draw_under_balls(list, viewport_);
+    if (!canvas.calm) draw_table_trails(list, viewport_, world, interpolator_, fraction);
+    draw_balls(list, viewport_, world, interpolator_, fraction);
+  }
+  if (canvas.shake) effects_.shake(list, begin, world_);
+  effects_.draw_over_balls(canvas, viewport_, world_.inset(canvas.px(4)));
+}
+
+void ReplayScreen::draw_top(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  fill_rounded(list, top_, 0, Paint::vertical(top_, palette::slate_top, palette::slate_bottom));
+  line(list, {top_.x, top_.bottom()}, {top_.right(), top_.bottom()}, canvas.px(1),
+       palette::brass_dark);
+  const TextStyle name{Face::bold, 22, palette::cream};
+  label(canvas, name_, name, elided(canvas, name, title(), name_.w));
+  label(canvas, score_, {Face::bold, 18, palette::brass_lit, Align::right}, score());
+}
+
+void ReplayScreen::draw_bottom(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  fill_rounded(list, bottom_, 0,
+               Paint::vertical(bottom_, palette::slate_top, palette::slate_bottom));
+  line(list, {bottom_.x, bottom_.y}, {bottom_.right(), bottom_.y}, canvas.px(1),
+       palette::brass_dark);
+  draw_timeline(canvas);
+  buttons_.draw(canvas);
+  label(canvas, speed_label_, {Face::bold, 20, palette::cream, Align::center},
+        words_(Text::times, {speeds[speed_].name}));
+  label(canvas, turn_, {Face::bold, 17, palette::cream}, turn());
+  label(canvas, status_, {Face::bold, 17, status_color(*list.palette), Align::right}, status());
+  const TextStyle hint{Face::regular, 16, message_.empty() ? palette::muted : list.palette->allowed,
+                       Align::center};
+  label(canvas, hint_, hint,
+        elided(canvas, hint, message_.empty() ? words_(Text::hint_replay) : message_, hint_.w));
+}
+
+/// The whole game from left to right, a mark a turn.
+void ReplayScreen::draw_timeline(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  fill_rounded(list, timeline_, canvas.px(5), palette::panel);
+  const auto& turns = player_.turns();
+  const auto total = static_cast<float>(std::max<std::uint64_t>(total_steps(), 1));
+  const auto x_of = [&](std::uint64_t step) {
+    return timeline_.x + timeline_.w * static_cast<float>(step) / total;
+  };
+  const auto end_of = [&](std::size_t turn) {
+    return x_of(turns[turn].first_step + turns[turn].steps);
+  };
+  const bool table = !player_.replay().level;
+  const float least = canvas.px(least_mark_width);
+  for (std::size_t end = 0; end < turns.size();) {
+    const std::size_t first = end;
+    const float from = x_of(turns[first].first_step);
+    bool scored = false;
+    // Neighbours that would be too narrow to be told apart share a mark.
+    do {
+      scored = scored || (end < player_.reached_turns() && turns[end].points > 0);
+      ++end;
+    } while (end < turns.size() && end_of(end - 1) - from < least &&
+             end_of(end) - end_of(end - 1) < least);
+    const float to = end_of(end - 1);
+    const std::size_t last = end - 1;
+    const auto& wrong = player_.divergence();
+    const Color accent = wrong && last >= wrong->turn ? list.palette->refused
+                         : last > first               ? palette::muted
+                         : table
+                             ? list.palette->accents[static_cast<std::size_t>(turns[first].player)]
+                             : list.palette->accents[first % 2];
+    const Rect box{from, timeline_.y, std::max(to - from - 1, 1.0f), timeline_.h};
+    const float radius = std::min(canvas.px(3), box.w / 4);
+    fill_rounded(list, box, radius, faded(accent, last < player_.reached_turns() ? 0.55f : 0.2f));
+    // What brought points has a lit top.
+    if (scored) {
+      Rect lit = box;
+      fill_rounded(list, lit.cut_top(canvas.px(5)), radius, palette::brass_lit);
+    }
+  }
+  const float x = x_of(player_.steps());
+  const Rect hand = kept_inside(
+      centered({x, timeline_.center().y}, canvas.px(5), timeline_.h + canvas.px(6)), bottom_);
+  fill_rounded(list, hand, canvas.px(2.5f), palette::cream);
+  stroke_rounded(list, hand, canvas.px(2.5f), 1, palette::ink);
+}
+
+std::string ReplayScreen::title() const {
+  const auto& level = player_.replay().level;
+  if (!level) return words_(Text::billiards);
+  return level->name.empty() ? words_(Text::angry_balls) : words_.level_name(level->name);
+}
+
+std::string ReplayScreen::score() const {
+  const auto points = replay::score(player_.game());
+  if (player_.replay().level) return words_(Text::score) + " " + words_.number(points[0]);
+  return words_(tight(view_) ? Text::score_pair : Text::kept_billiards,
+                {words_.number(points[0]), words_.number(points[1])});
+}
+
+std::string ReplayScreen::turn() const {
+  const auto& turns = player_.turns();
+  const std::size_t now = wanted_.value_or(player_.turn());
+  // Where the game diverges, the turn that it went wrong in.
+  const std::size_t last = complete_ ? player_.reached_turns() : turns.size();
+  const std::size_t shown = std::min(now, std::max<std::size_t>(last, 1) - 1);
+  const std::string number = words_.number(turns.empty() ? 0 : static_cast<int>(shown) + 1);
+  const std::string all = words_.number(static_cast<int>(turns.size()));
+  if (player_.replay().level || shown >= player_.reached_turns())
+    return words_(Text::turn_of_turns, {number, all});
+  return words_(Text::turn_of_player, {number, all, words_.number(turns[shown].player + 1)});
+}
+
+std::string ReplayScreen::status() const {
+  if (const auto& wrong = player_.divergence())
+    return words_(Text::diverged, {words_.number(static_cast<int>(wrong->turn) + 1)});
+  return words_(complete_ ? Text::verified : Text::verifying);
+}
+
+Color ReplayScreen::status_color(const Palette& palette) const {
+  if (player_.divergence()) return palette.refused;
+  return complete_ ? palette.allowed : palette::muted;
+}
+
+std::string ReplayScreen::describe() const {
+  const std::string now =
+      playing_ ? words_(Text::replay_playing, {speeds[speed_].name}) : words_(Text::replay_paused);
+  return words_(Text::replay_state, {words_(Text::product), words_(Text::replay_title), title(),
+                                     turn(), now, score(), status()});
+}
+
+}  // namespace app

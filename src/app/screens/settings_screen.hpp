@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/play/session.hpp"
+#include "app/text/text.hpp"
+#include "app/widgets/screen.hpp"
+
+namespace app {
+
+/// All settings, on some pages; every change holds and is saved at once, a name when its line is
+/// left. A click on a line goes to its next value, a click on the arrow before the value to the one
+/// before; Tab, up and down choose a line, left and right change it.
+class SettingsScreen final : public Screen {
+ public:
+  SettingsScreen(const Words& words, Session& session);
+
+  void resize(const View& view) override;
+  Transition event(const Input& input) override;
+  Transition iterate(nanoseconds) override { return Transition::stay; }
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  bool animating() const override { return false; }
+  bool typing() const override;
+
+  enum class Setting : std::uint8_t {
+    language,
+    volume,
+    mute,
+    hints,
+    colours,
+    motion,
+    shake,
+    way,
+    preview,
+    first_name,
+    second_name,
+    breaks,
+    keep_turn,
+  };
+
+ private:
+  /// What can be clicked or have the focus, in that order: the pages, the lines, "Help", "Close".
+  using Control = std::size_t;
+  static constexpr std::size_t pages = 4;
+  static constexpr std::size_t most_lines = 4;
+
+  std::span<const Setting> lines() const;
+  Control help() const { return pages + lines().size(); }
+  Control close() const { return help() + 1; }
+  std::size_t controls() const { return close() + 1; }
+  std::optional<Setting> setting_of(Control control) const;
+  Rect box_of(Control control) const;
+  Rect value_box(Control control) const;
+  std::optional<Control> find(Point at) const;
+
+  Transition key(Key key);
+  Transition press(Control control, Point at);
+  void focus(std::optional<Control> control);
+  void show(std::size_t page);
+  void change(Setting setting, int by);
+  void ask_name(Setting setting);
+  void set(Settings settings);
+  void type(std::string_view text);
+
+  std::string label_of(Setting setting) const;
+  std::string value_of(Setting setting) const;
+  std::string about(Setting setting) const;
+  std::string tip(Control control) const;
+  std::string hint() const;
+  void list_box(DrawList& list, Control control, std::string text) const;
+
+  void draw_page_button(Canvas& canvas, std::size_t page) const;
+  void draw_line(Canvas& canvas, Control control) const;
+  void draw_name(Canvas& canvas, const Rect& box, Setting setting, bool focused) const;
+  void draw_button(Canvas& canvas, Control control, Text text) const;
+
+  Words words_;
+  Session& session_;
+  std::size_t page_ = 0;
+  std::optional<Control> hovered_;
+  std::optional<Control> pressed_;
+  std::optional<Control> focused_;
+  std::string typed_;  ///< the name whose line has the focus
+
+  Rect title_;
+  Rect help_;
+  Rect close_;
+  std::array<Rect, pages> page_boxes_;
+  std::array<Rect, most_lines> line_boxes_;
+  Rect hint_;
+  float arrow_ = 0;       ///< px, how wide the arrow at each end of a value is
+  bool stacked_ = false;  ///< a line's value stands below its label
+};
+
+}  // namespace app

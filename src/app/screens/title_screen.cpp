@@ -1,0 +1,469 @@
+#include "app/screens/title_screen.hpp"
+
+#include <array>
+
+#include "app/graphics/label.hpp"
+#include "app/graphics/palette.hpp"
+#include "app/graphics/shapes.hpp"
+#include "app/screens/load_screen.hpp"
+#include "app/view/balls.hpp"
+#include "app/view/faces.hpp"
+#include "app/view/landscape.hpp"
+
+namespace app {
+
+using replay::Kind;
+
+namespace {
+
+constexpr float rail = 40;            ///< units, how high the wood is
+constexpr float least_wordmark = 20;  ///< units, of the em; smaller it is left out
+constexpr int rows = 8;               ///< of the rack
+constexpr float row_distance = 1.7320508f;
+constexpr Color dusk = rgb(0xd8743c);
+
+/// Of words: in the middle below the poster, left beside it.
+Align align_in(const View& view) { return view.height > view.width ? Align::center : Align::left; }
+
+/// Where the poster's parts stand.
+struct Poster {
+  float r;  ///< px, of a red ball
+  Point apex;
+  Point cue;
+  Point sun;
+
+  explicit Poster(const Rect& art) {
+    // In radii: the pile is 16 wide, 14.2 high, on its apex are horns; 5 more for who comes.
+    r = std::min(art.w / 21, art.h / 16.2f);
+    apex = {art.center().x + r * 2.5f, art.bottom() - r * (1 + (rows - 1) * row_distance)};
+    cue = apex + Point{-r * 6.6f, r * 0.9f};
+    sun = cue + Point{r * 1.6f, r * 3.4f};
+  }
+};
+
+}  // namespace
+
+TitleScreen::TitleScreen(const Words& words, Session& session)
+    : words_(words), session_(session), buttons_({}) {
+  if (session.kept.of(Kind::billiards)) choices_.push_back(Choice::continue_billiards);
+  if (session.kept.of(Kind::angry_balls)) choices_.push_back(Choice::continue_level);
+  for (const Choice choice :
+       {Choice::billiards, Choice::practice_table, Choice::angry_balls, Choice::replays,
+        Choice::settings, session.host.can_quit ? Choice::quit : Choice::open_file})
+    choices_.push_back(choice);
+  buttons_ = Buttons(std::vector<std::string>(choices_.size()), 0);
+  // Who plays on after scoring only playing it tells.
+  if (const auto& kept = session.kept.of(Kind::billiards); kept && kept->options.keep_turn)
+    if (auto player = replay::Player::create(*kept)) ahead_ = std::move(player).value();
+  if (const auto notice = std::exchange(session.notice, {}))
+    tell(notice->title, notice->line);
+  else if ((level_opened_ = std::exchange(session.level_opened, false)))
+    choose(Choice::angry_balls);
+  else
+    tell_refused();
+}
+
+std::string TitleScreen::label_of(Choice choice) const {
+  switch (choice) {
+    case Choice::continue_billiards:
+      return offer(Kind::billiards);
+    case Choice::continue_level:
+      return offer(Kind::angry_balls);
+    case Choice::billiards:
+      return words_(Text::billiards);
+    case Choice::practice_table:
+      return words_(Text::practice);
+    case Choice::angry_balls:
+      return words_(Text::angry_balls);
+    case Choice::replays:
+      return words_(Text::replays);
+    case Choice::settings:
+      return words_(Text::settings);
+    case Choice::open_file:
+      return words_(Text::open_file);
+    case Choice::quit:
+      break;
+  }
+  return words_(Text::quit);
+}
+
+Text TitleScreen::tip_of(Choice choice) {
+  switch (choice) {
+    case Choice::continue_billiards:
+    case Choice::continue_level:
+      return Text::tip_continue;
+    case Choice::billiards:
+      return Text::tip_billiards;
+    case Choice::practice_table:
+      return Text::tip_practice_table;
+    case Choice::angry_balls:
+      return Text::tip_angry_balls;
+    case Choice::replays:
+      return Text::tip_replays;
+    case Choice::settings:
+      return Text::tip_settings;
+    case Choice::open_file:
+      return Text::tip_open;
+    case Choice::quit:
+      break;
+  }
+  return Text::tip_quit;
+}
+
+/// What a game kept is called on its button.
+std::string TitleScreen::offer(Kind kind) const {
+  const replay::Replay& game = *session_.kept.of(kind);
+  if (kind == Kind::billiards) {
+    // A game is kept between two turns, each of which has one shot.
+    const auto shots = std::ranges::count_if(game.moves, [](const replay::Move& move) {
+      return std::holds_alternative<games::billiards::Shoot>(move.command);
+    });
+    if (game.options.keep_turn && !to_play_) return words_(Text::continue_table);
+    const auto player = to_play_.value_or((game.options.first_player + shots) % 2);
+    return words_(Text::continue_billiards, {words_.number(static_cast<int>(player) + 1)});
+  }
+  const Level level = level_of(*game.level);
+  if (const auto index = session_.campaign.find(level.identity))
+    return words_(Text::continue_level, {words_.number(static_cast<int>(*index) + 1)});
+  return words_(Text::continue_named_level, {words_.level_name(level.name)});
+}
+
+/// "Level 1: First steps"; only the name of one that is no longer on offer.
+std::string TitleScreen::kept_level() const {
+  const Level level = level_of(*session_.kept.of(Kind::angry_balls)->level);
+  std::string name = words_.level_name(level.name);
+  const auto index = session_.campaign.find(level.identity);
+  if (!index) return name;
+  return words_(Text::level_and_name, {words_.number(static_cast<int>(*index) + 1), name});
+}
+
+void TitleScreen::resize(const View& view) {
+  view_ = view;
+  if (question_) question_->dialog.resize(view);
+  Rect rest = view.area();
+  const bool tall = view.height > view.width;
+  rail_ = rest;
+  if (!tall) rail_ = rest.cut_bottom(view.px(rail));
+  rest = rest.inset(view.px(32), view.px(24));
+  Rect words = tall ? rest.cut_bottom(std::min(view.px(448), rest.h * 0.64f))
+                    : rest.cut_left(std::max(std::min(rest.w * 0.45f, view.px(480)),
+                                             std::min(rest.w * 0.58f, view.px(288))));
+  if (tall) {
+    rest.cut_bottom(view.px(8));
+    rail_ = {0, rest.cut_bottom(view.px(rail)).y, view.width, view.px(rail)};
+  }
+  art_ = rest;
+  art_.h = rail_.y - art_.y;
+  if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(456)));
+
+  // Heights give way together in a very low window, and to games that are offered again.
+  const std::size_t offered = choices_.size() - 6;
+  const float pitch = offered == 0 ? 66.0f : offered == 1 ? 57.0f : 50.0f;
+  const float height = pitch - (offered == 0 ? 12.0f : 9.0f);
+  const float unit = std::min(view.scale, words.h / 448);
+  const float high = std::max(unit * height, view.touch ? view.button(0) : 0);
+  const float step = std::max(unit * pitch, high + view.px(4));
+  wordmark_ = words.cut_top(std::max(unit * 398 - step * static_cast<float>(3 + offered), 0.0f));
+  words.cut_top(unit * 4);
+  tagline_ = words.cut_top(unit * 32);
+  words.cut_top(unit * 20);
+  const float width = std::min(words.w, view.px(tall ? 360 : 304));
+  const float left = tall ? words.center().x - width / 2 : words.x;
+  Rect row;
+  const auto next_row = [&] {
+    row = {left, words.y, width, high};
+    words.cut_top(step);
+  };
+  const float gap = view.px(8);
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    buttons_.relabel(i, label_of(choices_[i]));
+    buttons_.explain(i, words_(tip_of(choices_[i])));
+    const bool alone =
+        choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
+    const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
+                        choices_[i] == Choice::open_file || choices_[i] == Choice::quit;
+    if (second) {
+      row.cut_left(gap);
+      buttons_.place(view, i, row);
+    } else {
+      next_row();
+      buttons_.place(view, i, alone ? row : row.cut_left(row.w * 0.58f));
+    }
+  }
+}
+
+Transition TitleScreen::iterate(nanoseconds) {
+  if (!ahead_ || ahead_->look_ahead(steps_at_once(*ahead_))) return Transition::stay;
+  if (!ahead_->divergence()) {
+    ahead_->seek(ahead_->turns().size());
+    to_play_ = std::get<games::billiards::Game>(ahead_->game()).player();
+    resize(view_);
+  }
+  ahead_.reset();
+  return Transition::stay;
+}
+
+Transition TitleScreen::event(const Input& input) {
+  if (question_) {
+    const auto chosen = question_->dialog.event(input);
+    return chosen ? answer(*chosen) : Transition::stay;
+  }
+  if (is_key(input, Key::escape))
+    return session_.host.can_quit ? Transition::quit : Transition::stay;
+  if (is_key(input, Key::settings)) return Transition::settings;
+  if (is_key(input, Key::paste)) {
+    const Pasted pasted = take_pasted(session_);
+    if (pasted == Pasted::replay) return Transition::replay;
+    if (pasted != Pasted::later)
+      tell(words_(Text::paste_failed),
+           words_(pasted == Pasted::other_version ? Text::paste_other_version
+                                                  : Text::paste_damaged));
+    return Transition::stay;
+  }
+  const auto chosen = buttons_.event(input);
+  return chosen ? choose(choices_[*chosen]) : Transition::stay;
+}
+
+Transition TitleScreen::choose(Choice choice) {
+  const bool gives_up = (choice == Choice::billiards && session_.kept.of(Kind::billiards)) ||
+                        (choice == Choice::angry_balls && session_.kept.of(Kind::angry_balls));
+  if (!gives_up) return proceed(choice);
+  const bool table = choice == Choice::billiards;
+  const replay::Replay& kept = *session_.kept.of(table ? Kind::billiards : Kind::angry_balls);
+  const std::string line = table ? words_(Text::kept_billiards, {words_.number(kept.score[0]),
+                                                                 words_.number(kept.score[1])})
+                                 : kept_level();
+  question_ = Question{
+      Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
+             {{words_(Text::continue_game), words_(Text::tip_continue)},
+              {words_(table ? Text::new_game : Text::other_level), words_(Text::tip_give_up)},
+              {words_(Text::cancel), words_(Text::tip_close_help)}}),
+      choice};
+  question_->dialog.resize(view_);
+  return Transition::stay;
+}
+
+Transition TitleScreen::answer(std::size_t button) {
+  const auto about = question_->about;
+  question_.reset();
+  if (!about) {
+    tell_refused();
+    return Transition::stay;
+  }
+  const bool table = *about == Choice::billiards;
+  if (button == 0) return proceed(table ? Choice::continue_billiards : Choice::continue_level);
+  if (button == 2) {
+    level_opened_ = false;
+    return Transition::stay;
+  }
+  session_.kept.forget(table ? Kind::billiards : Kind::angry_balls);
+  return proceed(*about);
+}
+
+Transition TitleScreen::proceed(Choice choice) {
+  switch (choice) {
+    case Choice::continue_billiards:
+    case Choice::continue_level:
+      session_.to_continue =
+          choice == Choice::continue_billiards ? Kind::billiards : Kind::angry_balls;
+      return Transition::load;
+    case Choice::billiards:
+      return Transition::billiards;
+    case Choice::practice_table:
+      return Transition::practice_table;
+    case Choice::angry_balls:
+      return level_opened_ ? Transition::level : Transition::levels;
+    case Choice::replays:
+      return Transition::replays;
+    case Choice::settings:
+      return Transition::settings;
+    case Choice::open_file:
+      session_.host.choose_file();
+      return Transition::stay;
+    case Choice::quit:
+      break;
+  }
+  return Transition::quit;
+}
+
+/// Settings that could not be read, or a game kept that cannot be continued, and what became of the
+/// file.
+void TitleScreen::tell_refused() {
+  if (const auto trouble = session_.settings.take_trouble();
+      trouble != KeptSettings::Trouble::none) {
+    std::vector<Dialog::Line> lines{{words_(Text::settings_unreadable), {}, {}}};
+    if (trouble == KeptSettings::Trouble::set_aside) {
+      lines.push_back({words_(Text::settings_set_aside), {}, {}});
+      lines.push_back({words_(Text::kept_file, {settings_file}), {}, {}});
+    } else {
+      lines.push_back({words_(Text::settings_blocked), {}, {}});
+    }
+    question_ = Question{Dialog(words_(Text::settings_broken), std::move(lines),
+                                {{words_(Text::ok), words_(Text::tip_close_help)}}),
+                         {}};
+    question_->dialog.resize(view_);
+    return;
+  }
+  const auto refused = session_.kept.take_refused();
+  if (!refused) return;
+  std::vector<Dialog::Line> lines{{words_(text_of(refused->fault)), {}, {}}};
+  if (refused->set_aside) {
+    lines.push_back({words_(Text::kept_set_aside), {}, {}});
+    lines.push_back({words_(Text::kept_file, {KeptGames::file(refused->kind)}), {}, {}});
+  } else {
+    lines.push_back({words_(Text::kept_blocked), {}, {}});
+  }
+  question_ = Question{Dialog(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
+                                                                      : Text::kept_refused_level),
+                              std::move(lines), {{words_(Text::ok), words_(Text::tip_close_help)}}),
+                       {}};
+  question_->dialog.resize(view_);
+}
+
+void TitleScreen::tell(const std::string& title, const std::string& line) {
+  question_ = Question{
+      Dialog(title, {{line, {}, {}}}, {{words_(Text::ok), words_(Text::tip_close_help)}}), {}};
+  question_->dialog.resize(view_);
+}
+
+/// The product's name in two lines; a very low window has no room for it.
+void TitleScreen::draw_wordmark(Canvas& canvas) const {
+  std::string product = words_(Text::product);
+  for (char& letter : product)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  const std::size_t space = product.find(' ');
+  const std::array lines{product.substr(0, space), product.substr(space + 1)};
+  const Align align = align_in(canvas.view);
+  // As large as both lines fit, standing on the tagline.
+  float size = wordmark_.h * 0.61f / canvas.view.scale;
+  for (const std::string& word : lines)
+    size *= std::min(1.0f, wordmark_.w / label_width(canvas, {Face::black, size, {}}, word));
+  if (size < least_wordmark) return;
+  const float line_height = canvas.px(size * 0.82f);
+  const Point drop{0, canvas.px(4)};
+  Rect rest = wordmark_;
+  const Rect below = rest.cut_bottom(line_height);
+  for (const auto& [box, word] :
+       {std::pair{rest.cut_bottom(line_height), lines[0]}, std::pair{below, lines[1]}}) {
+    const TextStyle style{Face::black, std::floor(size), palette::cream, align};
+    TextStyle dark = style;
+    dark.color = faded(palette::ink, 0.55f);
+    label(canvas, box.moved(drop), dark, word);
+    canvas.list.boxes.pop_back();  // a shadow is no text
+    const std::size_t first = canvas.list.vertices.size();
+    label(canvas, box, style, word);
+    const Paint lit =
+        Paint::vertical(box, palette::ivory, mix(palette::ivory, palette::brass, 0.3f));
+    for (std::size_t i = first; i < canvas.list.vertices.size(); ++i)
+      canvas.list.vertices[i].color = lit.at(canvas.list.vertices[i].position);
+  }
+}
+
+void TitleScreen::draw(Canvas& canvas) const {
+  draw_background(canvas);
+  draw_art(canvas);
+  canvas.list.stand_still();
+
+  draw_wordmark(canvas);
+  const std::string tip = buttons_.tip();
+  label(canvas, tagline_,
+        {Face::regular, tip.empty() ? 20.0f : 18.0f, palette::brass_lit, align_in(canvas.view)},
+        tip.empty() ? words_(Text::tagline) : tip);
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
+                      choices_[i] == Choice::settings || choices_[i] == Choice::open_file ||
+                      choices_[i] == Choice::quit;
+    const bool offers =
+        choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
+    buttons_.draw_one(canvas, i, half || offers ? 18 : 22);
+  }
+  canvas.list.tip.reset();  // it stands below the name
+  if (question_) question_->dialog.draw(canvas);
+}
+
+/// Dusk over the table's rail; on a tall window the felt lies below it.
+void TitleScreen::draw_background(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  const Palette& colours = *list.palette;
+  const Rect all = canvas.view.area();
+  const Rect sky{0, 0, all.w, rail_.y};
+  const Poster poster(art_);
+  fill_lamplit(list, sky,
+               {poster.sun, std::max(poster.r * 24, 1.0f), std::max(poster.r * 20, 1.0f),
+                mix(colours.felt_lit, palette::sky_low, 0.6f), colours.felt_dark});
+  const std::size_t first = list.vertices.size();
+  fill_disc(list, poster.sun, poster.r * 6.2f,
+            Paint(poster.sun - Point{0, poster.r * 6}, palette::brass_lit,
+                  poster.sun + Point{0, poster.r * 6}, dusk));
+  for (int range = 0; range < 3; ++range) {
+    const float near = static_cast<float>(range) / 2;
+    const Color color = mix(mix(colours.felt_lit, palette::sun, 0.2f), colours.felt_dark, near);
+    const Rect hills{0, rail_.y - poster.r * 5, all.w, poster.r * 5};
+    fill_under(list, ridge(sky, rail_.y, poster.r * 14, range), rail_.y,
+               Paint::vertical(hills, color, mix(color, colours.felt_lit, 0.5f)));
+  }
+  clip(list, first, sky);
+
+  if (rail_.bottom() < all.h) {
+    const Rect felt{0, rail_.bottom(), all.w, all.h - rail_.bottom()};
+    fill_lamplit(list, felt,
+                 {{felt.center().x, felt.y},
+                  all.w,
+                  std::max(felt.h, 1.0f),
+                  colours.felt,
+                  colours.felt_dark});
+    const Rect shade{0, felt.y, all.w, canvas.px(12)};
+    fill_rounded(list, shade, 0, Paint::vertical(shade, {0, 0, 0, 120}, {0, 0, 0, 0}));
+  }
+  fill_rounded(list, rail_, 0, Paint::vertical(rail_, palette::walnut_lit, palette::walnut_dark));
+  line(list, {rail_.x, rail_.y}, {rail_.right(), rail_.y}, canvas.px(3), palette::brass);
+  for (int i = 1; i < 8; ++i) {
+    const Point c{rail_.w * static_cast<float>(i) / 8, rail_.center().y};
+    const float r = canvas.px(7);
+    const std::array sight{Point{c.x, c.y - r}, Point{c.x + r, c.y}, Point{c.x, c.y + r},
+                           Point{c.x - r, c.y}};
+    fill(list, sight,
+         Paint({c.x - r, c.y - r}, palette::brass_lit, {c.x + r, c.y + r}, palette::brass_dark));
+  }
+}
+
+/// The rack of one game piled up like a tower of the other, and who flies at it.
+void TitleScreen::draw_art(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  const Poster poster(art_);
+  const float r = poster.r;
+  glow(list, {poster.apex.x, art_.bottom() + canvas.px(2)}, r * 10, canvas.px(10), {0, 0, 0, 170});
+  for (int row = rows - 1; row >= 0; --row) {
+    for (int n = 0; n <= row; ++n) {
+      const Point c = poster.apex + Point{static_cast<float>(2 * n - row) * r,
+                                          static_cast<float>(row) * row_distance * r};
+      const bool villain = row < 2;
+      if (villain) draw_horns(list, c, r);
+      fill_disc(list, c, r * 1.04f, faded(palette::ink, 0.6f));
+      draw_ball(list, c, r, BallKind::red);
+      if (villain) draw_villain_face(list, c, r);
+    }
+  }
+
+  const Point c = poster.cue;
+  const float radius = r * 3.1f;
+  const Point way = unit({1, 0.16f});
+  for (int i = -2; i <= 2; ++i) {  // how fast it comes
+    const auto off = static_cast<float>(i);
+    const Point beside = c + turned(way) * (off * radius * 0.38f);
+    const Point tail = beside - way * (radius * (2.3f - 0.28f * off * off));
+    const Point head = beside - way * (radius * 0.6f);
+    fill(list, capsule(tail, head, radius * 0.09f),
+         Paint(tail, faded(palette::cream, 0), head, faded(palette::cream, 0.6f)));
+  }
+  fill_disc(list, c, radius * 1.03f, faded(palette::ink, 0.55f));
+  draw_ball(list, c, radius, BallKind::ivory);
+  draw_angry_face(list, c, radius);
+}
+
+std::string TitleScreen::describe() const {
+  return words_(Text::product) + " · " +
+         (question_ ? question_->dialog.title() : words_(Text::title_screen));
+}
+
+}  // namespace app

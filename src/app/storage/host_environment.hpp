@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace app {
+
+/// What is different where the game runs: as it is here in a window of a desktop.
+struct HostEnvironment {
+  /// Stands before "#replay=TEXT" in what is copied: a page's address. Empty: the bare text is.
+  std::string link_prefix;
+  bool reduced_motion = false;  ///< the desktop or browser asks for less that moves
+  bool touch = false;    ///< fingers are what there is: texts and buttons are for them at once
+  bool can_quit = true;  ///< the player may end the program
+  /// Lets the player choose a file, which comes by App::open_file() later; offered instead of
+  /// quitting.
+  std::function<void()> choose_file;
+  /// Asks a finger for a text, where no keyboard comes up by itself: what for, and what it is so
+  /// far; nothing if the player takes it back. Empty: it is typed.
+  std::function<std::optional<std::string>(const std::string&, const std::string&)> ask_text;
+};
+
+}  // namespace app

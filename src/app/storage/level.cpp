@@ -1,0 +1,65 @@
+#include "app/storage/level.hpp"
+
+#include "app/graphics/embedded.hpp"
+#include "carom/fnv1a.hpp"
+#include "carom/scene_file.hpp"
+#include "carom/trace.hpp"
+#include "games/angry_balls.hpp"
+
+namespace app {
+namespace {
+
+carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes) {
+  if (!bytes) return bytes.errors();
+  return games::angry_balls::read_level(bytes.value());
+}
+
+/// "a" for "a.json".
+std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+std::string identity_of(const carom::Scene& scene) {
+  carom::Fnv1a hash;
+  hash.add(carom::write_scene(scene));
+  return carom::hash_text(hash.hash());
+}
+
+}  // namespace
+
+Level read_level(const std::string& file, const carom::Result<std::string>& bytes) {
+  Level level{stem(file), sound_level(bytes), {}, {}, file};
+  if (!level.scene) {
+    level.problem = carom::to_string(level.scene.errors().front(), file);
+    return level;
+  }
+  const carom::Scene& scene = level.scene.value();
+  level.identity = identity_of(scene);
+  // A file that open_file() has kept has the identity for its name, which tells the player nothing.
+  if (!scene.name.empty() || level.name == level.identity) level.name = scene.name;
+  return level;
+}
+
+Level level_of(const carom::Scene& scene) {
+  return {scene.name, scene, {}, identity_of(scene), {}};
+}
+
+std::vector<Level> shipped_levels() {
+  std::vector<Level> levels;
+  for (const Embedded& file : shipped_files)
+    levels.push_back(
+        read_level(std::string(file.name), std::string(file.bytes.begin(), file.bytes.end())));
+  return levels;
+}
+
+std::vector<Level> kept_levels(Store& store) {
+  std::vector<Level> levels;
+  for (const std::string& name : store.list(own_levels)) {
+    const auto text = store.load(name);
+    const carom::Error gone{.pointer = {}, .problem = "is not there any more"};
+    const std::string file = name.substr(own_levels.size());
+    levels.push_back(!text ? read_level(file, text.errors())
+                           : read_level(file, text.value() ? carom::Result(*text.value()) : gone));
+  }
+  return levels;
+}
+
+}  // namespace app

@@ -1,0 +1,238 @@
+#include "app/storage/settings.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace app {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr const char* version_key = "angry-balls-settings";
+constexpr int version = 1;
+
+// The names of choices in a file, in the order of their enumerations.
+constexpr std::array<std::string_view, 3> languages{"system", "en", "fr"};
+constexpr std::array<std::string_view, 3> motions{"system", "on", "off"};
+constexpr std::array<std::string_view, 4> palettes{"standard", "red-green", "blue-yellow",
+                                                   "high-contrast"};
+constexpr std::array<std::string_view, 3> ways{"two-clicks", "drag-back", "turn-then-power"};
+constexpr std::array<std::string_view, 4> previews{"off", "contact", "short", "full"};
+constexpr std::array<std::string_view, 4> breakers{"player-1", "player-2", "alternate", "loser"};
+
+// Both directions go by the same list of keys: `visit` is called with each key and its value.
+
+struct Writer {
+  json& out;
+  void operator()(const char* key, bool value) const { out[key] = value; }
+  void operator()(const char* key, int value) const { out[key] = value; }
+  void operator()(const char* key, const std::array<std::string, 2>& value) const {
+    out[key] = value;
+  }
+  void operator()(const char* key, const KeyBindings& value) const {
+    out[key] = json::object();
+    for (const auto& [command, letter] : value.to_pairs()) out[key][command] = letter;
+  }
+  template <class Choice, std::size_t n>
+  void operator()(const char* key, Choice value, const std::array<std::string_view, n>& of) const {
+    out[key] = of[static_cast<std::size_t>(value)];
+  }
+};
+
+struct Reader {
+  const json& in;
+  std::size_t known = 1;  ///< keys found, the version's included
+  bool sound = true;
+
+  /// The value, if the key is given.
+  const json* find(const char* key) {
+    const auto found = in.find(key);
+    if (found == in.end()) return nullptr;
+    ++known;
+    return &*found;
+  }
+  void operator()(const char* key, bool& value) {
+    const json* const given = find(key);
+    if (!given) return;
+    if (given->is_boolean())
+      value = given->get<bool>();
+    else
+      sound = false;
+  }
+  void operator()(const char* key, int& value) {
+    const json* const given = find(key);
+    if (!given) return;
+    if (given->is_number_unsigned() && given->get<std::uint64_t>() <= std::uint64_t{most_volume})
+      value = given->get<int>();
+    else
+      sound = false;
+  }
+  void operator()(const char* key, std::array<std::string, 2>& value) {
+    const json* const given = find(key);
+    if (!given) return;
+    sound &= given->is_array() && given->size() == value.size();
+    for (std::size_t i = 0; sound && i < value.size(); ++i) {
+      sound = (*given)[i].is_string();
+      if (sound) value[i] = (*given)[i].get<std::string>();
+      sound = sound && value[i] == name_of(value[i]);
+    }
+  }
+  void operator()(const char* key, KeyBindings& value) {
+    const json* const given = find(key);
+    if (!given) return;
+    sound &= given->is_object();
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& item : given->items()) {
+      sound &= item.value().is_string();
+      if (!sound) return;
+      pairs.emplace_back(item.key(), item.value().get<std::string>());
+    }
+    const auto read = KeyBindings::from_pairs(pairs);
+    sound &= read.ok();
+    if (read) value = read.value();
+  }
+  template <class Choice, std::size_t n>
+  void operator()(const char* key, Choice& value, const std::array<std::string_view, n>& of) {
+    const json* const given = find(key);
+    if (!given) return;
+    const auto* const name =
+        given->is_string() ? std::ranges::find(of, given->get_ref<const std::string&>()) : of.end();
+    if (name == of.end())
+      sound = false;
+    else
+      value = static_cast<Choice>(name - of.begin());
+  }
+};
+
+/// `Any`: Settings or const Settings.
+template <class Any, class Visit>
+void visit_all(Any& settings, Visit& visit) {
+  visit("language", settings.language, languages);
+  visit("volume", settings.volume);
+  visit("mute", settings.mute);
+  visit("reduced-motion", settings.reduced_motion, motions);
+  visit("screen-shake", settings.screen_shake);
+  visit("colours", settings.colours, palettes);
+  visit("aiming", settings.aiming.way, ways);
+  visit("preview", settings.aiming.preview, previews);
+  visit("hints", settings.hints);
+  visit("taught", settings.taught);
+  visit("names", settings.names);
+  visit("breaks", settings.breaks, breakers);
+  visit("keep-turn", settings.keep_turn);
+  visit("keys", settings.keys);
+}
+
+std::string text_of(const Settings& settings) {
+  json out{{version_key, version}};
+  Writer writer{out};
+  visit_all(settings, writer);
+  return out.dump(2) + '\n';
+}
+
+/// All of it, or nothing if any of it is wrong. A key that is missing has its default: files grow
+/// with the program.
+std::optional<Settings> parse(const std::string& text) {
+  const json in = json::parse(text, nullptr, false);
+  if (!in.is_object() || !in.contains(version_key) || in[version_key] != version ||
+      !in[version_key].is_number_unsigned())
+    return std::nullopt;
+  Settings settings;
+  Reader reader{in};
+  visit_all(settings, reader);
+  if (!reader.sound || reader.known != in.size()) return std::nullopt;
+  return settings;
+}
+
+/// How many bytes of `utf8` are its first code point, which is whole and can be shown; 0 if not.
+std::size_t printable_size(std::string_view utf8) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
+  const unsigned lead = byte(0);
+  const std::size_t size = lead < 0x80   ? 1
+                           : lead < 0xc2 ? 0
+                           : lead < 0xe0 ? 2
+                           : lead < 0xf0 ? 3
+                           : lead < 0xf5 ? 4
+                                         : 0;
+  if (size == 0 || size > utf8.size()) return 0;
+  if (size == 1) return lead < 0x20 || lead == 0x7f ? 0 : 1;
+  unsigned code = lead & (0xffU >> (size + 1));
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3fU);
+  }
+  constexpr std::array<unsigned, 5> least{0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  const bool control = code < 0xa0 || code == 0x2028 || code == 0x2029;
+  return code < least[size] || code > 0x10ffff || surrogate || control ? 0 : size;
+}
+
+}  // namespace
+
+std::string name_of(std::string_view typed, bool unfinished) {
+  std::string name;
+  std::size_t count = 0;
+  while (!typed.empty() && count < longest_name) {
+    const std::size_t size = printable_size(typed);
+    const std::string_view point = typed.substr(0, std::max<std::size_t>(size, 1));
+    typed.remove_prefix(point.size());
+    if (size == 0 || (name.empty() && point == " ")) continue;
+    name += point;
+    ++count;
+  }
+  while (!unfinished && name.ends_with(' ')) name.pop_back();
+  return name;
+}
+
+int first_player(Breaks breaks, const std::optional<FinishedGame>& last) {
+  switch (breaks) {
+    case Breaks::player_1:
+      break;
+    case Breaks::player_2:
+      return 1;
+    case Breaks::loser:
+      if (last && last->winner) return 1 - *last->winner;
+      [[fallthrough]];
+    case Breaks::alternate:
+      if (last) return 1 - last->first_player;
+      break;
+  }
+  return 0;
+}
+
+KeptSettings::KeptSettings(Store& store) : store_(store) {
+  if (const auto stored = load()) settings_ = *stored;
+}
+
+KeptSettings::Trouble KeptSettings::take_trouble() {
+  return std::exchange(told_, true) ? Trouble::none : trouble_;
+}
+
+/// What is stored, if it are settings. Moves away what are none.
+std::optional<Settings> KeptSettings::load() {
+  const auto stored = store_.load(settings_file);
+  blocked_ = !stored.ok();
+  if (stored.ok() && stored.value()) {
+    if (auto settings = parse(*stored.value())) return settings;
+    blocked_ = !store_.set_aside(settings_file).ok();
+    trouble_ = Trouble::set_aside;
+  }
+  if (blocked_) trouble_ = Trouble::not_kept;
+  return std::nullopt;
+}
+
+void KeptSettings::set(Settings settings) {
+  for (std::string& name : settings.names) name = name_of(name);
+  settings.volume = std::clamp(settings.volume, 0, most_volume);
+  settings_ = std::move(settings);
+  // Another window, or an editor, may have saved since: what are no settings is not overwritten.
+  static_cast<void>(load());
+  if (blocked_) return;
+  if (!store_.save(settings_file, text_of(settings_)))
+    trouble_ = Trouble::not_kept;
+  else if (trouble_ == Trouble::not_kept)
+    trouble_ = Trouble::none;
+}
+
+}  // namespace app

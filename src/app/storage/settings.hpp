@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/graphics/palette.hpp"
+#include "app/input/key_bindings.hpp"
+#include "app/storage/aim_settings.hpp"
+#include "app/storage/store.hpp"
+
+namespace app {
+
+enum class LanguageChoice : std::uint8_t { system, english, french };
+/// Less motion than the games like to show.
+enum class ReducedMotion : std::uint8_t { system, on, off };
+/// Who has the first turn of a game of billiards.
+enum class Breaks : std::uint8_t {
+  player_1,
+  player_2,
+  alternate,  ///< who did not have it in the last game
+  loser,      ///< who lost the last game
+};
+
+inline constexpr int most_volume = 100;
+inline constexpr std::size_t longest_name = 24;  ///< code points
+
+/// What the player has chosen. A plain value; the defaults are those of the first start.
+struct Settings {
+  LanguageChoice language = LanguageChoice::system;
+  int volume = 80;  ///< per cent, 0 to most_volume
+  bool mute = false;
+  ReducedMotion reduced_motion = ReducedMotion::system;
+  bool screen_shake = false;
+  Colours colours = Colours::standard;
+  AimSettings aiming;
+  bool hints = true;
+  /// As name_of() makes them; empty: "Player 1", "Player 2".
+  std::array<std::string, 2> names;
+  Breaks breaks = Breaks::player_1;
+  bool taught = false;     ///< has done something while it was shown how to shoot
+  bool keep_turn = false;  ///< billiards: who scores plays on (games::billiards::Options)
+  KeyBindings keys;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// What can be shown of a text that was typed, pasted or found in a file: whole UTF-8 without
+/// control characters, without blanks at its ends, at most longest_name code points. `unfinished`:
+/// a blank at the end may be followed by more, and stays.
+std::string name_of(std::string_view typed, bool unfinished = false);
+
+/// A game of billiards that was played to its end.
+struct FinishedGame {
+  int first_player = 0;       ///< 0 or 1
+  std::optional<int> winner;  ///< 0 or 1; none: a draw
+};
+/// Who has the first turn after `last`; none: no game was finished yet. After a draw the loser is
+/// the one who did not have it.
+int first_player(Breaks breaks, const std::optional<FinishedGame>& last);
+
+/// The settings, kept in a Store after every change.
+class KeptSettings {
+ public:
+  enum class Trouble : std::uint8_t {
+    none,
+    set_aside,  ///< what was stored were no settings; they are kept under another name
+    not_kept,   ///< the store does not work: changes last until the program ends
+  };
+
+  /// The store must outlive this.
+  explicit KeptSettings(Store& store);
+
+  const Settings& get() const { return settings_; }
+  /// Takes over and saves. Names are taken as name_of() makes them, the volume as the nearest that
+  /// there is.
+  void set(Settings settings);
+  Trouble trouble() const { return trouble_; }
+  /// The trouble of the start, to be told once.
+  Trouble take_trouble();
+
+ private:
+  std::optional<Settings> load();
+
+  Store& store_;
+  Settings settings_;
+  Trouble trouble_ = Trouble::none;
+  bool told_ = false;
+  bool blocked_ = false;  ///< something unreadable is there that cannot be moved away
+};
+
+}  // namespace app

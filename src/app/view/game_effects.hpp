@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/audio/sound.hpp"
+#include "app/text/text.hpp"
+#include "app/view/effects.hpp"
+#include "games/angry_balls.hpp"
+#include "games/billiards.hpp"
+
+namespace app {
+
+// What passes by after a step of a game and what is heard of it: contacts, balls that sink or
+// burst, and the points they make.
+
+void show_step(Effects& effects, Sounds& sounds, const games::billiards::Game& game,
+               const Words& words);
+void show_step(Effects& effects, Sounds& sounds, const games::angry_balls::Game& game,
+               const Words& words);
+
+/// Only the balls, for a level's world that goes on without its rules.
+void show_balls(Effects& effects, Sounds& sounds, std::span<const carom::Event> events,
+                const carom::Scene& level);
+
+}  // namespace app

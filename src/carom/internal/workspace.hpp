@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "carom/internal/packed_index.hpp"
+#include "carom/internal/quadtree_search.hpp"
+#include "carom/internal/row_pairs.hpp"
+#include "carom/internal/thread_pool.hpp"
+
+namespace carom {
+
+struct Box {
+  Vec2 low;
+  Vec2 high;
+};
+
+/// A large part of the play area in which no ball's centre is in a hole.
+Box hole_free_box(const Scene& scene);
+
+/// What World::step keeps from call to call to save allocations. No part of the state.
+struct Workspace {
+  std::vector<std::uint8_t> gone;  ///< by index: went out of play in this sub-step
+  std::optional<Box> hole_free;
+  PackedIndex packed;
+  QuadtreeIndex tree;
+  RowPairsBuffers rows;
+  std::unique_ptr<ThreadPool> thread_pool;  ///< none: one thread
+  std::size_t threads_wanted = 1;
+
+  void set_threads(std::size_t threads) {
+    if (threads == threads_wanted) return;
+    threads_wanted = threads;
+    thread_pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+    tree.set_thread_pool(thread_pool.get());
+  }
+};
+
+}  // namespace carom
