@@ -37,16 +37,35 @@ carom::Scene rack() {
   return scene;
 }
 
+carom::Errors check_table(const carom::Scene& scene) {
+  if (!scene.balls.empty() && scene.balls[0].role == carom::Role::cue) return {};
+  return {{.pointer = "/balls",
+           .problem = "have no cue ball",
+           .expected = "the first ball to have the role \"cue\""}};
+}
+
+carom::Result<Game> Game::create(carom::Scene table, Options options) {
+  carom::Errors errors = check_table(table);
+  auto world = carom::World::create(std::move(table));
+  if (!world) return world.errors();
+  if (!errors.empty()) return errors;
+  return Game(std::make_shared<const carom::World>(std::move(world).value()), options);
+}
+
 // The rack is sound: the test that plays it would not start otherwise.
-Game::Game(Options options)
-    : world_(carom::World::create(rack()).value()),
+Game::Game(Options options) : Game(create(rack(), options).value()) {}
+
+Game::Game(std::shared_ptr<const carom::World> start, Options options)
+    : start_(std::move(start)),
+      world_(*start_),
       options_{.first_player = options.first_player == 1 ? 1 : 0, .keep_turn = options.keep_turn},
+      phase_(reds_left() == 0 ? Phase::over : Phase::aim),
       player_(options_.first_player) {}
 
 carom::Status Game::apply(const Command& command) {
   if (const auto* shot = std::get_if<Shoot>(&command)) return shoot(shot->drag);
   if (const auto* placement = std::get_if<Place>(&command)) return place(placement->position);
-  *this = Game(options_);
+  *this = Game(start_, options_);
   return carom::Done{};
 }
 
@@ -70,6 +89,13 @@ Obstruction Game::obstruction(carom::Vec2 position) const {
   const auto overlaps = [&](carom::Vec2 centre, double radius) {
     return carom::length_squared(centre - position) < (radius + r) * (radius + r);
   };
+  // As the engine tests obstacles (spec §2, stage 5).
+  for (const carom::Obstacle& obstacle : table.obstacles)
+    if (position.y < obstacle.height
+            ? std::abs(position.x - obstacle.x) < obstacle.radius + r
+            : carom::length(position - carom::Vec2{obstacle.x, obstacle.height}) <
+                  obstacle.radius + r)
+      return Obstruction::cushion;
   for (const carom::Hole& hole : table.holes)
     if (overlaps(hole.position, hole.radius)) return Obstruction::hole;
   for (std::size_t i = 1; i < world_.size(); ++i)

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
@@ -15,7 +16,8 @@
 #include "carom/world.hpp"
 
 /// Billiards for two (§1.4, spec §7): a state machine. Commands go in by apply(), time by step();
-/// state and events come out.
+/// state and events come out. A table is any scene with a cue ball; all its other balls count as
+/// reds.
 namespace games::billiards {
 
 inline constexpr int reds = 36;  ///< in a triangle of 8 rows (§1.4.2)
@@ -29,6 +31,9 @@ inline constexpr std::uint64_t max_turn_steps = 12'000;
 
 /// The table at the start: 800 × 400 px, six holes, the rack, the cue ball (spec §1, §7).
 carom::Scene rack();
+
+/// What keeps a sound scene from being a table: no cue ball. Empty when nothing does.
+carom::Errors check_table(const carom::Scene& scene);
 
 /// What players may agree on before a game. The defaults are the report's game.
 struct Options {
@@ -55,16 +60,16 @@ struct Place {
   carom::Vec2 position;
   friend bool operator==(const Place&, const Place&) = default;
 };
-/// A new game with the same options, at any time.
+/// A new game from the same start with the same options, at any time.
 struct Restart {};
 using Command = std::variant<Shoot, Place, Restart>;
 
-/// Why the cue ball may not be placed somewhere.
+/// Why the cue ball may not be placed somewhere. An obstacle is a cushion, too.
 enum class Obstruction : std::uint8_t { none, ball, hole, cushion };
 
 enum class EventKind : std::uint8_t {
   scored,        ///< `player` pocketed red `ball` for `points`
-  cue_pocketed,  ///< `player`'s turn ends; the next one has the cue ball in hand
+  cue_pocketed,  ///< or it left by an open side: `player`'s turn ends; the next one has it in hand
   turn,          ///< the next turn begins: `player` is on
   over,          ///< the game has ended
 };
@@ -88,7 +93,12 @@ struct Tally {
 
 class Game {
  public:
+  /// A game from the rack.
   explicit Game(Options options = {});
+
+  /// A game from any table, which waits with the speeds it has for the first shot. It is over at
+  /// once if there is only the cue ball. Refuses what carom::check or check_table finds wrong.
+  static carom::Result<Game> create(carom::Scene table, Options options = {});
 
   /// Refuses, changing nothing, what the phase does not allow: Shoot outside aim or with a drag
   /// that is zero or not finite; Place outside place or where obstruction() is not none.
@@ -99,7 +109,8 @@ class Game {
   void step();
 
   /// What stands in the way of the cue ball at `position` (px): it must overlap no ball, no hole
-  /// and no cushion (spec §7). A position that is not finite gives cushion.
+  /// and no cushion, nor stick out of an open side (spec §7). A position that is not finite gives
+  /// cushion.
   Obstruction obstruction(carom::Vec2 position) const;
 
   const Options& options() const { return options_; }
@@ -120,12 +131,14 @@ class Game {
   std::span<const Event> events() const { return events_; }
 
  private:
+  Game(std::shared_ptr<const carom::World> start, Options options);
   carom::Status shoot(carom::Vec2 drag);
   carom::Status place(carom::Vec2 position);
   void score_pocketed(std::span<const std::uint32_t> ids_by_index);
   void pass_turn(int next);
   Tally& tally() { return tallies_[static_cast<std::size_t>(player_)]; }
 
+  std::shared_ptr<const carom::World> start_;  ///< shared by all copies of the game
   carom::World world_;
   Options options_;
   Phase phase_ = Phase::aim;

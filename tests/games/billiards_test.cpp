@@ -347,6 +347,108 @@ TEST(Billiards, TheTurnPassesAsAgreedAndEverythingIsCounted) {
   }
 }
 
+carom::Scene small_table() {
+  carom::Scene table;
+  table.holes = {{.position = {10, 200}}};
+  table.balls = {{.role = carom::Role::cue, .position = {200, 200}, .radius = 8},
+                 {.role = carom::Role::neutral, .position = {100, 200}}};
+  return table;
+}
+
+TEST(BilliardsFromAnywhere, TheRackIsATableLikeOthers) {
+  RandomPlayer player(5);
+  Game usual;
+  Game given = Game::create(games::billiards::rack()).value();
+  for (int turn = 0; turn < 10; ++turn) {
+    RandomPlayer twin = player;
+    player.command(usual);
+    twin.command(given);
+    roll(usual);
+    roll(given);
+    ASSERT_EQ(usual.world().state_hash(), given.world().state_hash());
+    ASSERT_EQ(usual.player(), given.player());
+  }
+}
+
+TEST(BilliardsFromAnywhere, IsWonByWhoPocketsTheOnlyBallAndRestartsThere) {
+  Game game = Game::create(small_table(), {.first_player = 1}).value();
+  const auto start = game.world().state_hash();
+  EXPECT_EQ(game.phase(), Phase::aim);
+  EXPECT_EQ(game.player(), 1);
+  EXPECT_EQ(game.reds_left(), 1);
+  ASSERT_TRUE(game.apply(Shoot{{-100, 0}}));
+  roll(game);
+  EXPECT_EQ(game.phase(), Phase::over);
+  EXPECT_EQ(game.score(1), 100);
+  EXPECT_EQ(game.winner(), 1);
+  const Game copy = game;
+  ASSERT_TRUE(game.apply(Restart{}));
+  EXPECT_EQ(game.world().state_hash(), start);
+  EXPECT_EQ(game.phase(), Phase::aim);
+  EXPECT_EQ(game.player(), 1);
+  EXPECT_EQ(copy.phase(), Phase::over) << "a copy is a game of its own";
+}
+
+TEST(BilliardsFromAnywhere, BallsInMotionWaitForTheFirstShot) {
+  carom::Scene table = small_table();
+  table.balls[0].velocity = {10, 20};
+  table.balls[1].velocity = {0, 300};
+  Game game = Game::create(table).value();
+  game.step();
+  EXPECT_EQ(game.world().steps(), 0U);
+  ASSERT_TRUE(game.apply(Shoot{{50, 0}}));
+  EXPECT_EQ(game.world().ball(0).velocity, (Vec2{250, 0}));
+  EXPECT_EQ(game.world().ball(1).velocity, (Vec2{0, 300}));
+}
+
+TEST(BilliardsFromAnywhere, IsOverAtOnceWhereThereIsNothingToPocket) {
+  carom::Scene table = small_table();
+  table.balls.pop_back();
+  Game game = Game::create(table).value();
+  EXPECT_EQ(game.phase(), Phase::over);
+  EXPECT_FALSE(game.winner());
+  EXPECT_FALSE(game.apply(Shoot{{10, 0}}));
+}
+
+TEST(BilliardsFromAnywhere, RefusesWhatIsNoTable) {
+  const auto problem = [](const carom::Scene& scene) {
+    const auto game = Game::create(scene);
+    return game ? "" : carom::to_string(game.errors().front());
+  };
+  carom::Scene none = small_table();
+  none.balls.clear();
+  EXPECT_EQ(problem(none),
+            "/balls: have no cue ball; expected the first ball to have the role \"cue\"");
+  carom::Scene projectile = small_table();
+  projectile.balls[0].role = carom::Role::projectile;
+  EXPECT_EQ(problem(projectile), problem(none));
+  carom::Scene outside = small_table();
+  outside.balls[1].position.x = -50;
+  EXPECT_EQ(problem(outside).substr(0, 8), "/balls/1") << problem(outside);
+}
+
+// What obstruction() lets pass can be placed, obstacles and open sides included.
+TEST(BilliardsFromAnywhere, APlaceThatNothingObstructsIsTaken) {
+  carom::Scene table = small_table();
+  table.edges.left = carom::Edge::open;
+  table.obstacles = {{.x = 400, .height = 120, .radius = 12}};
+  Game game = Game::create(table).value();
+  ASSERT_TRUE(game.apply(Shoot{{-200, 60}}));
+  const auto events = roll(game);
+  ASSERT_EQ(game.phase(), Phase::place) << "the cue ball did not leave by the open side";
+  EXPECT_EQ(game.obstruction({385, 50}), Obstruction::cushion);
+  EXPECT_EQ(game.obstruction({400, 139.9}), Obstruction::cushion);
+  EXPECT_EQ(game.obstruction({400, 140}), Obstruction::none);
+  EXPECT_EQ(game.obstruction({4, 50}), Obstruction::cushion);
+  RandomPlayer player(1);
+  for (int n = 0; n < 2000; ++n) {
+    Game copy = game;
+    const Vec2 position{player.uniform(-20, 820), player.uniform(-20, 420)};
+    EXPECT_EQ(static_cast<bool>(copy.apply(Place{position})),
+              game.obstruction(position) == Obstruction::none);
+  }
+}
+
 TEST(Billiards, NoBallEverLeavesTheTableOrTurnsNaNIn1000RandomBreaks) {
   RandomPlayer player(11);
   for (int n = 0; n < 1000; ++n) {
