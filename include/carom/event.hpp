@@ -19,6 +19,29 @@ enum class EventKind : std::uint8_t {
   left,       ///< a ball left by an open side (§2.1.3)
 };
 
+/// A set of kinds, written as EventKind::pocketed | EventKind::left.
+class EventKinds {
+ public:
+  constexpr EventKinds() = default;
+  constexpr EventKinds(EventKind kind) : bits_(1U << static_cast<unsigned>(kind)) {}
+
+  constexpr bool has(EventKind kind) const {
+    return (bits_ >> static_cast<unsigned>(kind) & 1U) != 0;
+  }
+  constexpr bool empty() const { return bits_ == 0; }
+
+  friend constexpr EventKinds operator|(EventKinds a, EventKinds b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
+  friend constexpr bool operator==(EventKinds, EventKinds) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+constexpr EventKinds operator|(EventKind a, EventKind b) { return EventKinds(a) | EventKinds(b); }
+
 enum class Side : std::uint8_t { left, right, bottom, top };
 
 struct Event {

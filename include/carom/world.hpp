@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "carom/balls.hpp"
@@ -28,6 +29,20 @@ enum class BroadPhase : std::uint8_t {
   pairs,      ///< tests every pair, O(balls²): the reference that the others are compared with
 };
 
+/// When World::run ends, besides after its `max_steps`.
+struct Until {
+  bool rest = false;    ///< as soon as at_rest(); at once, after no step, if it is so already
+  EventKinds events{};  ///< after the first step with an event of one of these kinds
+};
+
+struct RunEnd {
+  enum class Why : std::uint8_t { steps, rest, event };
+  std::uint64_t steps = 0;  ///< taken
+  Why why = Why::steps;     ///< event, if more than one is true; steps, if none of Until is
+
+  friend bool operator==(const RunEnd&, const RunEnd&) = default;
+};
+
 struct Workspace;
 
 /// Balls, holes, obstacles and edges in motion (§1.1.4, §1.2, §2.2). A plain value: copy it to keep
@@ -44,6 +59,25 @@ class World {
   /// Advances by time_step (§1.2.1, spec §2) and returns what happened, in order. The span is good
   /// until the next step() or the world's end.
   std::span<const Event> step();
+
+  /// Takes steps as step() does, with the same bits, at most `max_steps`, and much quicker than one
+  /// by one. For each step that has events calls sink(step, events): its number, as steps() tells
+  /// after it, and a std::span<const Event> that is good during the call. The sink must not change
+  /// the world.
+  template <class Sink>
+  RunEnd run(Until until, std::uint64_t max_steps, Sink&& sink) {
+    using Plain = std::remove_reference_t<Sink>;
+    return run(
+        until, max_steps,
+        [](void* to, std::uint64_t step, std::span<const Event> events) {
+          (*static_cast<Plain*>(to))(step, events);
+        },
+        const_cast<void*>(static_cast<const void*>(std::addressof(sink))));
+  }
+  /// The same for those who need no events.
+  RunEnd run(Until until, std::uint64_t max_steps) {
+    return run(until, max_steps, nullptr, nullptr);
+  }
 
   /// The world's fixed part: size, edges, friction, holes, obstacles, … Its `balls` are empty.
   const Scene& scene() const { return scene_; }
@@ -82,6 +116,10 @@ class World {
   /// No part of the state: the same bits come out, sooner or later.
   void set_broad_phase(BroadPhase broad_phase) { broad_phase_ = broad_phase; }
 
+  /// Whether steps in which surely nothing meets are passed over quickly (the default) or every one
+  /// is tested. No part of the state: the same bits come out, sooner or later.
+  void set_skipping(bool skipping) { skipping_ = skipping; }
+
   /// How many threads step() may use, 1 (the default) to max_threads; other numbers are taken as
   /// the nearest of these. With fewer than 20 000 balls it uses one. No part of the state: the same
   /// bits come out with every number. Where threads cannot be had, there are fewer.
@@ -96,7 +134,10 @@ class World {
   std::uint64_t state_hash() const;
 
  private:
+  using Tell = void (*)(void* sink, std::uint64_t step, std::span<const Event> events);
+
   explicit World(Scene scene);
+  RunEnd run(Until until, std::uint64_t max_steps, Tell tell, void* sink);
 
   /// What a step keeps belongs to the state it was kept for: a copy starts without, an assignment
   /// drops it.
@@ -120,6 +161,7 @@ class World {
   std::uint64_t steps_ = 0;
   std::vector<Event> events_;
   BroadPhase broad_phase_ = BroadPhase::automatic;
+  bool skipping_ = true;
   std::size_t threads_ = 1;
   WorkspaceOwner owner_;
 

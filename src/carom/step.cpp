@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include "carom/balls.hpp"
@@ -444,6 +446,24 @@ std::span<const Event> World::step() {
   Stepper(*this).step();
   ++steps_;
   return events_;
+}
+
+RunEnd World::run(Until until, std::uint64_t max_steps, Tell tell, void* sink) {
+  RunEnd end;
+  while (!(until.rest && at_rest())) {
+    if (end.steps == max_steps) return end;
+    step();
+    ++end.steps;
+    if (events_.empty()) continue;
+    if (tell != nullptr) tell(sink, steps_, events_);
+    const auto wanted = [&](const Event& event) { return until.events.has(event.kind); };
+    if (std::ranges::any_of(events_, wanted)) {
+      end.why = RunEnd::Why::event;
+      return end;
+    }
+  }
+  end.why = RunEnd::Why::rest;
+  return end;
 }
 
 }  // namespace carom

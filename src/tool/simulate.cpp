@@ -1,6 +1,7 @@
 #include "tool/simulate.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -28,6 +29,7 @@ struct SimulateOptions {
   std::uint64_t max_steps = 1'000'000;
   std::string broad_phase;
   int threads = 1;
+  bool no_skip = false;
   std::string trace;
   bool hash = false;
   bool quiet = false;
@@ -83,6 +85,7 @@ int simulate(const SimulateOptions& options) {
   if (!created) return report(created.errors(), options.scene);
   carom::World& world = created.value();
   world.set_threads(options.threads);
+  world.set_skipping(!options.no_skip);
   if (options.broad_phase == "pairs") world.set_broad_phase(carom::BroadPhase::pairs);
   if (options.broad_phase == "quadtree") world.set_broad_phase(carom::BroadPhase::quadtree);
   if (options.launch) {
@@ -112,8 +115,13 @@ int simulate(const SimulateOptions& options) {
   trace_step({});
   {
     Progress progress(!options.quiet);
+    // Many steps at a time, yet few enough that the progress is seen; a trace needs each.
+    constexpr std::uint64_t at_a_time = 1000;
     while (world.steps() < goal && !(until_rest && world.at_rest())) {
-      trace_step(world.step());
+      if (trace)
+        trace_step(world.step());
+      else
+        world.run({.rest = until_rest}, std::min(at_a_time, goal - world.steps()));
       progress.show(world.steps(), goal, until_rest);
     }
   }
@@ -184,6 +192,9 @@ void add_simulate(CLI::App& carom, int& status) {
           "speed only")
       ->check(CLI::Range(1, carom::max_threads))
       ->option_text("N");
+  command->add_flag("--no-skip", options->no_skip,
+                    "Test every step for what may meet, even where it is known that nothing can. "
+                    "It changes the speed only");
   command
       ->add_option("--trace", options->trace,
                    "Write every step's balls and events as JSON Lines; - is standard output")

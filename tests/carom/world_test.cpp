@@ -1,8 +1,12 @@
 #include "carom/world.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "carom/trace.hpp"
 #include "worlds.hpp"
@@ -151,6 +155,44 @@ TEST(Trace, HasTheFormOfTheSpec) {
 TEST(Trace, WritesHashesInSixteenDigits) {
   EXPECT_EQ(carom::hash_text(0x1f), "000000000000001f");
   EXPECT_EQ(carom::hash_text(0xfedcba9876543210), "fedcba9876543210");
+}
+
+TEST(Run, TakesTheStepsThatStepTakes) {
+  World one = worlds::make(worlds::table(
+      {worlds::ball({100, 200}, {600, 10}), worlds::ball({300, 205}), worlds::ball({500, 210})}));
+  World other = one;
+  std::vector<std::pair<std::uint64_t, carom::Event>> expected;
+  while (!one.at_rest())
+    for (const carom::Event& event : one.step()) expected.emplace_back(one.steps(), event);
+  std::vector<std::pair<std::uint64_t, carom::Event>> told;
+  const auto sink = [&](std::uint64_t step, std::span<const carom::Event> events) {
+    for (const carom::Event& event : events) told.emplace_back(step, event);
+  };
+  const carom::RunEnd end = other.run({.rest = true}, 100'000, sink);
+  EXPECT_EQ(end, (carom::RunEnd{one.steps(), carom::RunEnd::Why::rest}));
+  EXPECT_GT(told.size(), 2U);
+  EXPECT_EQ(told, expected);
+  EXPECT_EQ(other.state_hash(), one.state_hash());
+  EXPECT_EQ(other.run({.rest = true}, 10), (carom::RunEnd{0, carom::RunEnd::Why::rest}));
+  EXPECT_EQ(other.run({}, 10), (carom::RunEnd{10, carom::RunEnd::Why::steps}));
+}
+
+TEST(Run, EndsAfterAnEventOfTheKindsThatAreWanted) {
+  const World start =
+      worlds::make(worlds::table({worlds::ball({100, 200}, {600, 0}), worlds::ball({300, 200})}));
+  using carom::EventKind;
+  World world = start;
+  const carom::RunEnd first = world.run({.events = EventKind::cushion | EventKind::pair}, 10'000);
+  EXPECT_EQ(first.why, carom::RunEnd::Why::event);
+  World stepped = start;
+  while (stepped.step().empty()) {
+  }
+  EXPECT_EQ(first.steps, stepped.steps());
+  EXPECT_EQ(world.state_hash(), stepped.state_hash());
+  world = start;
+  EXPECT_EQ(world.run({.events = EventKind::pocketed}, 50),
+            (carom::RunEnd{50, carom::RunEnd::Why::steps}));
+  EXPECT_EQ(world.run({}, 0).steps, 0U);
 }
 
 }  // namespace
