@@ -32,8 +32,8 @@ std::vector<Level> with_shipped(std::vector<Level> own) {
 }
 
 // A player who does nothing is told what to do, and now and then the ball catches the eye.
-constexpr nanoseconds nudge_after = std::chrono::seconds{20};
-constexpr nanoseconds nudge_time = std::chrono::seconds{4};
+constexpr nanoseconds nudge_after = seconds{20};
+constexpr nanoseconds nudge_time = seconds{4};
 
 float nudge_phase(nanoseconds quiet) {
   using Parts = std::chrono::duration<float>;

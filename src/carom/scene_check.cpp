@@ -4,9 +4,9 @@
 #include <string_view>
 #include <utility>
 
-#include "carom/internal/json.hpp"
-#include "carom/internal/number_text.hpp"
 #include "carom/internal/scene_fields.hpp"
+#include "json/json.hpp"
+#include "json/number_text.hpp"
 
 namespace carom {
 

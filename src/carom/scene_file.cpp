@@ -11,10 +11,10 @@
 #include <span>
 #include <utility>
 
-#include "carom/internal/json.hpp"
-#include "carom/internal/number_text.hpp"
 #include "carom/internal/scene_check.hpp"
 #include "carom/internal/scene_fields.hpp"
+#include "json/json.hpp"
+#include "json/number_text.hpp"
 
 namespace carom {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "carom/internal/number_text.hpp"
+#include "json/number_text.hpp"
 
 namespace carom {
 

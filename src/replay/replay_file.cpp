@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "carom/fnv1a.hpp"
-#include "carom/internal/json.hpp"
-#include "carom/internal/number_text.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/trace.hpp"
+#include "json/json.hpp"
+#include "json/number_text.hpp"
 #include "replay/replay_text.hpp"
 #include "replay/written_forms.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "carom/internal/number_text.hpp"
+#include "json/number_text.hpp"
 
 namespace soak {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <string>
 #include <variant>
 
+#include "app/base/time.hpp"
 #include "app/graphics/geometry.hpp"
 
 /// What the player does, free of any platform. Points are in window px.
@@ -115,7 +115,7 @@ struct Steered {
   float across = 0;  ///< to the right
   float up = 0;
   float power = 0;
-  std::chrono::nanoseconds time{};
+  nanoseconds time{};
 };
 
 using Input =

@@ -7,8 +7,6 @@
 namespace app {
 namespace {
 
-using std::chrono::milliseconds;
-
 constexpr float dead_zone = 0.2f;
 constexpr float flick = 0.6f;  ///< a stick so far out is a cross that is pressed
 constexpr nanoseconds first_repeat = milliseconds{400};

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/base/time.hpp"
 #include "app/input/input.hpp"
-#include "app/play/clock.hpp"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 
 namespace app {
 
-static_assert(Clock::step * carom::steps_per_second == std::chrono::seconds{1});
+static_assert(Clock::step * carom::steps_per_second == seconds{1});
 
 namespace {
 /// Quarters of a nanosecond: no speed rounds any time away.

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <chrono>
+#include "app/base/time.hpp"
 
 namespace app {
-
-using std::chrono::nanoseconds;
 
 /// How quickly the game's time passes.
 struct Speed {

@@ -15,9 +15,9 @@ namespace app {
 class GameSpeed {
  public:
   /// A decisive moment is shown slowly for so long, real time.
-  static constexpr nanoseconds slow_time = std::chrono::milliseconds{1500};
+  static constexpr nanoseconds slow_time = milliseconds{1500};
   /// So long a press is a touch like any other, not yet one that is held.
-  static constexpr nanoseconds touch_time = std::chrono::milliseconds{250};
+  static constexpr nanoseconds touch_time = milliseconds{250};
 
   /// Whether it was meant for the pace: then it is done with. `free`: the game is on top, and may
   /// be paused. `watches`: a press does nothing else there.

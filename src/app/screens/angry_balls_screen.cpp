@@ -14,7 +14,6 @@ namespace {
 
 namespace angry_balls = games::angry_balls;
 using angry_balls::Phase;
-using std::chrono::milliseconds;
 
 constexpr nanoseconds epilogue_time = milliseconds{1200};
 constexpr double trace_spacing = 0.016;      ///< of the level's width, between the dots

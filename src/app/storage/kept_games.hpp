@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/storage/replay_fault.hpp"
 #include "app/storage/store.hpp"
-#include "app/widgets/replay_fault.hpp"
 #include "replay/replay.hpp"
 
 namespace app {

@@ -12,8 +12,6 @@
 namespace app {
 namespace {
 
-using std::chrono::milliseconds;
-
 constexpr nanoseconds sink_time = milliseconds{260};
 constexpr nanoseconds burst_time = milliseconds{900};
 constexpr nanoseconds shake_time = milliseconds{350};

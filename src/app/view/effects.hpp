@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/base/time.hpp"
 #include "app/graphics/canvas.hpp"
-#include "app/play/clock.hpp"
 #include "app/view/balls.hpp"
 #include "app/view/viewport.hpp"
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "app/base/time.hpp"
 #include "app/graphics/canvas.hpp"
 #include "app/input/input.hpp"
-#include "app/play/clock.hpp"
 #include "app/text/text.hpp"
 
 namespace app {

@@ -9,8 +9,8 @@
 namespace app {
 namespace {
 
-constexpr nanoseconds shown = std::chrono::milliseconds{1500};
-constexpr nanoseconds fading = std::chrono::milliseconds{250};
+constexpr nanoseconds shown = milliseconds{1500};
+constexpr nanoseconds fading = milliseconds{250};
 
 }  // namespace
 

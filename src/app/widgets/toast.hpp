@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "app/base/time.hpp"
 #include "app/graphics/canvas.hpp"
-#include "app/play/clock.hpp"
 
 namespace app {
 

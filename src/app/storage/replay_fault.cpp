@@ -1,4 +1,4 @@
-#include "app/widgets/replay_fault.hpp"
+#include "app/storage/replay_fault.hpp"
 
 namespace app {
 
