@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/play/clock.hpp"
 #include "app/play/session.hpp"
 #include "app/text/text.hpp"
 #include "app/view/effects.hpp"
