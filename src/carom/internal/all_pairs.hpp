@@ -31,7 +31,9 @@ class AllPairs {
   AllPairs(const Balls& balls, const std::vector<std::uint8_t>& gone)
       : balls_(balls), gone_(gone) {}
 
-  std::optional<Pair> next_overlap(Pair after) const { return next(after, overlap); }
+  std::optional<Pair> next_overlap(Pair after) const {
+    return next(after, [](auto&... balls) { return overlap(balls...); });
+  }
 
   std::optional<std::size_t> touching_both(Pair pair) const {
     for (std::size_t k = 0; k < balls_.size(); ++k) {
@@ -45,7 +47,8 @@ class AllPairs {
 
   template <class Visit>
   void for_each_touching(Visit visit) const {
-    for (auto pair = next(Pair{}, touch); pair; pair = next(*pair, touch)) visit(*pair);
+    const auto test = [](auto&... balls) { return touch(balls...); };
+    for (auto pair = next(Pair{}, test); pair; pair = next(*pair, test)) visit(*pair);
   }
 
   template <class Visit>
@@ -54,6 +57,7 @@ class AllPairs {
   }
 
  private:
+  // `test` is a lambda: not every level of optimisation inlines through a pointer to a function.
   template <class Test>
   std::optional<Pair> next(Pair after, Test test) const {
     std::size_t j = after.second + 1;
