@@ -6,6 +6,7 @@
 #include "tool/level_link.hpp"
 #include "tool/quadtree.hpp"
 #include "tool/replay.hpp"
+#include "tool/shots.hpp"
 #include "tool/simulate.hpp"
 #include "tool/soak.hpp"
 
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   tool::add_simulate(carom, status);
   tool::add_check(carom, status);
   tool::add_replay(carom, status);
+  tool::add_shots(carom, status);
   tool::add_soak(carom, status);
   tool::add_level_link(carom, status);
   tool::add_quadtree(carom, status);
