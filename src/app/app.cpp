@@ -77,13 +77,10 @@ void App::event(const Input& input) {
              std::holds_alternative<PadMoved>(input) ||
              std::holds_alternative<PadUnplugged>(input)) {
     for (const Input& meant : pad_.event(input, steers())) give(meant);
-  } else if (const auto* pressed = std::get_if<KeyPressed>(&input)) {
-    if (const auto key = meaning(pressed->key))
-      give(KeyPressed{*key, pressed->shift, pressed->ctrl});
-  } else if (const auto* released = std::get_if<KeyReleased>(&input)) {
-    if (const auto key = session_.keyboard.bindings.meaning(released->key)) give(KeyReleased{*key});
-  } else {
-    give(input);
+  } else if (help_ && std::holds_alternative<KeyPressed>(input)) {
+    give(input);  // help wants letters: it binds them
+  } else if (const auto meant = session_.keyboard.bindings.meaning(input)) {
+    give(*meant);
   }
   note_hand(input);
 }
@@ -146,7 +143,8 @@ void App::note_hand(const Input& input) {
 }
 
 void App::give(const Input& input) {
-  if (std::holds_alternative<KeyReleased>(input)) {
+  if (std::holds_alternative<KeyReleased>(input) ||
+      std::holds_alternative<CommandReleased>(input)) {
     // It may have been pressed before something came to lie over the screen.
     for (const auto& screen : below_) screen->event(input);
     return go(screen_->event(input));
@@ -163,17 +161,18 @@ void App::give(const Input& input) {
     go(screen_->event(PointerCancelled{}));  // nothing is held meanwhile
     return go(Transition::help);
   }
-  if (is_key(input, Key::m) && !screen_->typing())
+  if (std::holds_alternative<CommandPressed>(input) && screen_->typing()) return;  // letters
+  if (is_command(input, Command::mute))
     mute();
   else
     give_to_screen(input);
 }
 
 void App::give_to_screen(const Input& input) {
-  const bool does =
-      std::holds_alternative<PointerPressed>(input) || std::holds_alternative<KeyPressed>(input) ||
-      std::holds_alternative<TextTyped>(input) || std::holds_alternative<WheelTurned>(input) ||
-      std::holds_alternative<Steered>(input);
+  const bool does = std::holds_alternative<PointerPressed>(input) || is_press_of_key(input) ||
+                    std::holds_alternative<TextTyped>(input) ||
+                    std::holds_alternative<WheelTurned>(input) ||
+                    std::holds_alternative<Steered>(input);
   if (does && session_.teach && screen_->aim_prompt()) {
     session_.teach = false;
     Settings settings = session_.settings.get();

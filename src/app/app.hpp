@@ -71,10 +71,6 @@ class App {
  private:
   void give(const Input& input);
   void give_to_screen(const Input& input);
-  /// Of a key, by the player's bindings; help wants keys as they are pressed.
-  std::optional<Key> meaning(Key pressed) const {
-    return help_ ? pressed : session_.keyboard.bindings.meaning(pressed);
-  }
   void note_hand(const Input& input);
   bool steers() const { return !help_ && screen_->aim_prompt().has_value(); }
   void go(Transition transition);

@@ -46,7 +46,9 @@ class AngryBallsScreenTest : public testing::Test {
     screen->event(app::PointerPressed{at, button});
     return screen->event(app::PointerReleased{at, button});
   }
-  app::Transition key(app::Key key) { return screen->event(app::KeyPressed{key}); }
+  app::Transition key(app::Key key) {
+    return screen->event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
+  }
   app::Point launch() const { return screen->viewport().to_window({100, 12}); }
   void throw_by(float x, float y) {
     click(launch());

@@ -19,7 +19,9 @@ class BilliardsScreenTest : public testing::Test {
     screen.event(app::PointerPressed{at, button});
     return screen.event(app::PointerReleased{at, button});
   }
-  app::Transition key(app::Key key) { return screen.event(app::KeyPressed{key}); }
+  app::Transition key(app::Key key) {
+    return screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
+  }
   app::Point window(double x, double y) const { return screen.viewport().to_window({x, y}); }
   app::Point cue() const {
     return screen.viewport().to_window(screen.game().world().ball(0).position);

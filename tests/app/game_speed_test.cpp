@@ -33,7 +33,7 @@ class GameSpeedTest : public testing::Test {
  protected:
   template <class Screen>
   static void key(Screen& screen, Key key) {
-    screen.event(app::KeyPressed{key});
+    screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
   }
   app::BilliardsScreen table() {
     app::BilliardsRecorder recorder{billiards::Game()};
@@ -64,7 +64,7 @@ TEST_F(GameSpeedTest, PauseAndFastForwardChangeNoBit) {
   int hurried_frames = 0;
   for (; hurried.game().phase() == billiards::Phase::roll; ++hurried_frames) {
     if (hurried_frames % 40 == 10) key(hurried, Key::f);
-    if (hurried_frames % 40 == 30) hurried.event(app::KeyReleased{Key::f});
+    if (hurried_frames % 40 == 30) hurried.event(app::CommandReleased{app::Command::fast});
     if (hurried_frames % 40 == 35) key(hurried, Key::p);
     if (hurried_frames % 40 == 39) key(hurried, Key::p);
     hurried.iterate(frame);
@@ -83,7 +83,7 @@ TEST_F(GameSpeedTest, WhilePausedNothingMovesAndTheClickThatEndsItDoesNothingEls
   EXPECT_FALSE(screen.animating());
   EXPECT_NE(screen.describe().find("paused"), std::string::npos);
   screen.event(app::PointerMoved{{300, 300}});
-  screen.event(app::KeyReleased{Key::p});
+  screen.event(app::CommandReleased{app::Command::pause});
   screen.iterate(5s);
   EXPECT_EQ(screen.game().world().steps(), steps);
   // The button below asks whether to leave.
@@ -112,7 +112,7 @@ TEST_F(GameSpeedTest, FastForwardIsFourStepsForOneAsLongAsTheKeyIsDown) {
   key(screen, Key::f);
   screen.iterate(30ms);
   EXPECT_EQ(screen.game().world().steps(), 15u);
-  screen.event(app::KeyReleased{Key::f});
+  screen.event(app::CommandReleased{app::Command::fast});
   screen.iterate(30ms);
   EXPECT_EQ(screen.game().world().steps(), 18u);
 }
@@ -249,18 +249,18 @@ TEST(GameSpeed, ADecisiveMomentIsSlowOnceAGameAndNotForWhoIsInAHurry) {
   EXPECT_EQ(pace.pass(1ms).quarters, 4);
   pace.new_game();
   pace.decisive();
-  EXPECT_TRUE(pace.event(app::KeyPressed{Key::f}, true, true));
+  EXPECT_TRUE(pace.event(app::CommandPressed{app::Command::fast}, true, true));
   EXPECT_EQ(pace.pass(1ms).quarters, 16);
-  EXPECT_FALSE(pace.event(app::KeyReleased{Key::f}, true, true));
+  EXPECT_FALSE(pace.event(app::CommandReleased{app::Command::fast}, true, true));
   EXPECT_EQ(pace.pass(1ms).quarters, 1);
 }
 
 TEST(GameSpeed, UnderAWindowOnlyTheReleaseIsHeard) {
   app::GameSpeed pace;
-  EXPECT_FALSE(pace.event(app::KeyPressed{Key::p}, false, false));
+  EXPECT_FALSE(pace.event(app::CommandPressed{app::Command::pause}, false, false));
   EXPECT_FALSE(pace.paused());
-  EXPECT_TRUE(pace.event(app::KeyPressed{Key::f}, true, true));
-  pace.event(app::KeyReleased{Key::f}, false, false);
+  EXPECT_TRUE(pace.event(app::CommandPressed{app::Command::fast}, true, true));
+  pace.event(app::CommandReleased{app::Command::fast}, false, false);
   EXPECT_EQ(pace.pass(1ms).quarters, 4);
 }
 

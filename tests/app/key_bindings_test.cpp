@@ -12,18 +12,28 @@ using app::KeyBindings;
 
 TEST(KeyBindings, ALetterDoesOneThing) {
   KeyBindings keys;
-  EXPECT_EQ(keys.meaning(Key::r), Key::r);
-  EXPECT_EQ(keys.meaning(Key::q), std::nullopt);
-  EXPECT_EQ(keys.meaning(Key::m), Key::m);
+  EXPECT_EQ(keys.command_of(Key::r), Command::again);
+  EXPECT_EQ(keys.command_of(Key::q), std::nullopt);
+  EXPECT_EQ(keys.command_of(Key::m), Command::mute);
   EXPECT_FALSE(keys.bind(Command::again, Key::n)) << "taken";
   for (const Key fixed : {Key::enter, Key::left, Key::escape, Key::tab, Key::help, Key::plus})
     EXPECT_FALSE(keys.bind(Command::again, fixed));
   EXPECT_EQ(keys, KeyBindings());
   ASSERT_TRUE(keys.bind(Command::again, Key::q));
-  EXPECT_EQ(keys.meaning(Key::q), Key::r) << "a screen knows it by its first letter";
-  EXPECT_EQ(keys.meaning(Key::r), std::nullopt);
-  EXPECT_EQ(keys.meaning(Key::up), Key::up);
+  EXPECT_EQ(keys.command_of(Key::q), Command::again);
+  EXPECT_EQ(keys.command_of(Key::r), std::nullopt);
+  EXPECT_EQ(keys.command_of(Key::up), std::nullopt);
   EXPECT_TRUE(keys.bind(Command::again, Key::q)) << "again the same";
+}
+
+TEST(KeyBindings, AScreenGetsCommandsForLettersAndAllElseAsItIs) {
+  KeyBindings keys;
+  EXPECT_TRUE(app::is_command(*keys.meaning(app::KeyPressed{Key::p}), Command::pause));
+  EXPECT_EQ(std::get<app::CommandReleased>(*keys.meaning(app::KeyReleased{Key::f})).command,
+            Command::fast);
+  EXPECT_FALSE(keys.meaning(app::KeyPressed{Key::q}));
+  EXPECT_TRUE(app::is_key(*keys.meaning(app::KeyPressed{Key::up}), Key::up));
+  EXPECT_TRUE(std::holds_alternative<app::WheelTurned>(*keys.meaning(app::WheelTurned{1})));
 }
 
 TEST(KeyBindings, AreWrittenAndRead) {

@@ -268,7 +268,9 @@ template <class Screen>
 class KeyboardOnly : public testing::Test {
  protected:
   KeyboardOnly() { screen.resize(view); }
-  app::Transition key(Key key) { return screen.event(app::KeyPressed{key}); }
+  app::Transition key(Key key) {
+    return screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
+  }
   app::DrawList picture() {
     app::DrawList list;
     app::Canvas canvas{list, font, view};

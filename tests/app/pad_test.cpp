@@ -33,20 +33,25 @@ TEST_F(PadTest, ButtonsAreKeys) {
   EXPECT_EQ(key(fine), Key::right);
   EXPECT_TRUE(std::get<app::KeyPressed>(fine[0]).shift);
   EXPECT_FALSE(pad.held());
+  const auto start = pad.event(app::PadPressed{PadButton::start}, true);
+  ASSERT_EQ(start.size(), 1u);
+  EXPECT_TRUE(app::is_command(start[0], app::Command::pause));
 }
 
 /// While nothing is aimed.
-TEST_F(PadTest, TheRightTriggerIsTheKeyThatHurries) {
+TEST_F(PadTest, TheRightTriggerIsTheCommandThatHurries) {
   EXPECT_TRUE(move(PadAxis::right_trigger, 0.5f, false).empty());
-  EXPECT_EQ(key(move(PadAxis::right_trigger, 0.9f, false)), Key::f);
+  const auto pressed = move(PadAxis::right_trigger, 0.9f, false);
+  ASSERT_EQ(pressed.size(), 1u);
+  EXPECT_TRUE(app::is_command(pressed[0], app::Command::fast));
   EXPECT_TRUE(move(PadAxis::right_trigger, 1, false).empty());
   const auto let_go = move(PadAxis::right_trigger, 0.1f, false);
   ASSERT_EQ(let_go.size(), 1u);
-  EXPECT_EQ(std::get<app::KeyReleased>(let_go[0]).key, Key::f);
+  EXPECT_EQ(std::get<app::CommandReleased>(let_go[0]).command, app::Command::fast);
   EXPECT_TRUE(move(PadAxis::right_trigger, 1, true).empty()) << "it makes the throw stronger";
   const auto unplugged = pad.event(app::PadUnplugged{}, false);
   ASSERT_EQ(unplugged.size(), 1u) << "all is let go";
-  EXPECT_EQ(std::get<app::KeyReleased>(unplugged[0]).key, Key::f);
+  EXPECT_EQ(std::get<app::CommandReleased>(unplugged[0]).command, app::Command::fast);
   EXPECT_TRUE(pad.event(app::PadUnplugged{}, false).empty());
 }
 
@@ -98,6 +103,9 @@ TEST_F(PadTest, UnpluggedItHoldsNothing) {
   EXPECT_TRUE(pad.held());
   pad.event(app::PadUnplugged{}, true);
   EXPECT_FALSE(pad.held());
+  const auto start = pad.event(app::PadPressed{PadButton::start}, true);
+  ASSERT_EQ(start.size(), 1u);
+  EXPECT_TRUE(app::is_command(start[0], app::Command::pause));
 }
 
 }  // namespace

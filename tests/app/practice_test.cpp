@@ -38,7 +38,7 @@ class PracticeTable : public testing::Test {
     click(screen.viewport().to_window(cue));
     click(screen.viewport().to_window(cue + carom::Vec2{x, y}));
   }
-  void key(Key key) { screen.event(app::KeyPressed{key}); }
+  void key(Key key) { screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key})); }
   std::uint64_t hash() const { return screen.game().world().state_hash(); }
   void watch() {
     while (screen.game().phase() == games::billiards::Phase::roll) screen.iterate(10ms);
@@ -167,7 +167,9 @@ TEST(PracticeLevel, TakesThrowsBackAndKeepsNoScore) {
   session.campaign.practice = true;
   app::AngryBallsScreen screen(app::Words(app::Language::english), session);
   screen.resize(app::View::of(1000, 720));
-  const auto key = [&](Key which) { screen.event(app::KeyPressed{which}); };
+  const auto key = [&](Key which) {
+    screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{which}));
+  };
   const auto hash = [&] { return screen.game().world().state_hash(); };
   const auto throw_by = [&](float x) {
     const app::Point at = screen.viewport().to_window({100, 12});

@@ -22,7 +22,9 @@ class ReplayScreenTest : public testing::TestWithParam<const char*> {
   }
   ReplayScreenTest() : ReplayScreenTest(sound(GetParam())) {}
 
-  app::Transition key(Key key) { return screen.event(app::KeyPressed{key}); }
+  app::Transition key(Key key) {
+    return screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
+  }
   void look_ahead() {
     for (int i = 0; i < 10'000 && screen.describe().find("Verifying") != std::string::npos; ++i)
       screen.iterate(0ns);

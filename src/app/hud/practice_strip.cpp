@@ -8,9 +8,6 @@
 namespace app {
 namespace {
 
-// Of the first buttons; the others do what the keys of aiming do.
-constexpr std::array keys{Key::backspace, Key::r};
-
 constexpr std::array labels{Text::take_back,    Text::repeat,    Text::slower_throw,
                             Text::faster_throw, Text::turn_left, Text::turn_right};
 
@@ -48,9 +45,9 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
 }
 
 std::optional<PracticeCommand> PracticeStrip::event(const Input& input) {
-  if (const auto* key = std::get_if<KeyPressed>(&input))
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      if (key->key == keys[i]) return command_of(i);
+  // What the other buttons do, the keys of aiming do.
+  if (is_key(input, Key::backspace)) return TakeBack{};
+  if (is_command(input, Command::again)) return Repeat{};
   // The focus is moved from outside, through the bar's buttons too.
   if (is_key(input, Key::tab) || is_key(input, Key::back_tab)) return std::nullopt;
   const auto chosen = buttons_.event(input);

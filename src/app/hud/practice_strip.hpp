@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// The buttons below the world that take back, repeat and change a throw. Backspace takes back
-/// and R repeats, too.
+/// The buttons below the world that take back, repeat and change a throw. Backspace takes back and
+/// Command::again repeats, too.
 class PracticeStrip {
  public:
   explicit PracticeStrip(const Words& words);

@@ -29,11 +29,21 @@ enum class Key : std::uint8_t {
   paste,     ///< Ctrl+V
   help,      ///< F1
   settings,  ///< F10
-  // By its place on the keyboard: what is printed there in the United States. A screen gets the
-  // letter that a command has at first, wherever the player has put it (key_bindings.hpp).
+  // By its place on the keyboard: what is printed there in the United States. Only key bindings
+  // know letters: screens get CommandPressed instead.
   // clang-format off
   a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z,
   // clang-format on
+};
+
+/// What a letter does, which the player can put on another one (key_bindings.hpp). All other keys
+/// are fixed.
+enum class Command : std::uint8_t {
+  again,  ///< starts anew; in practice repeats the throw
+  next,   ///< the next throw
+  pause,
+  fast,  ///< as long as it is held
+  mute,
 };
 
 struct PointerMoved {
@@ -59,6 +69,12 @@ struct KeyPressed {
 };
 struct KeyReleased {
   Key key = Key::enter;
+};
+struct CommandPressed {
+  Command command{};
+};
+struct CommandReleased {
+  Command command{};
 };
 struct WheelTurned {
   float notches = 0;  ///< away from the player is positive
@@ -120,13 +136,24 @@ struct Steered {
 
 using Input =
     std::variant<PointerMoved, PointerPressed, PointerReleased, PointerLeft, PointerCancelled,
-                 KeyPressed, KeyReleased, TextTyped, WheelTurned, Resized, Finger, PadPressed,
-                 PadReleased, PadMoved, PadUnplugged, Steered>;
+                 KeyPressed, KeyReleased, CommandPressed, CommandReleased, TextTyped, WheelTurned,
+                 Resized, Finger, PadPressed, PadReleased, PadMoved, PadUnplugged, Steered>;
 
 /// The key pressed, if `input` is one.
 inline bool is_key(const Input& input, Key key) {
   const auto* pressed = std::get_if<KeyPressed>(&input);
   return pressed != nullptr && pressed->key == key;
+}
+
+/// The command pressed, if `input` is one.
+inline bool is_command(const Input& input, Command command) {
+  const auto* pressed = std::get_if<CommandPressed>(&input);
+  return pressed != nullptr && pressed->command == command;
+}
+
+/// A key or a command is pressed, whichever.
+inline bool is_press_of_key(const Input& input) {
+  return std::holds_alternative<KeyPressed>(input) || std::holds_alternative<CommandPressed>(input);
 }
 
 }  // namespace app

@@ -29,11 +29,21 @@ carom::Status KeyBindings::bind(Command command, Key key) {
   return carom::Done{};
 }
 
-std::optional<Key> KeyBindings::meaning(Key pressed) const {
-  if (!is_letter(pressed)) return pressed;
+std::optional<Command> KeyBindings::command_of(Key key) const {
   for (const Command command : all_commands)
-    if (key_of(command) == pressed) return KeyBindings{}.key_of(command);
+    if (key_of(command) == key) return command;
   return std::nullopt;
+}
+
+std::optional<Input> KeyBindings::meaning(const Input& input) const {
+  const auto* pressed = std::get_if<KeyPressed>(&input);
+  const auto* released = std::get_if<KeyReleased>(&input);
+  if (!pressed && !released) return input;
+  const Key key = pressed ? pressed->key : released->key;
+  if (!is_letter(key)) return input;
+  const auto command = command_of(key);
+  if (!command) return std::nullopt;
+  return pressed ? Input(CommandPressed{*command}) : Input(CommandReleased{*command});
 }
 
 std::vector<std::pair<std::string, std::string>> KeyBindings::to_pairs() const {

@@ -14,14 +14,6 @@
 
 namespace app {
 
-/// What a key does that the player can put elsewhere. All other keys are fixed.
-enum class Command : std::uint8_t {
-  again,  ///< starts anew; in practice repeats the throw
-  next,   ///< the next throw
-  pause,
-  fast,  ///< as long as it is held
-  mute,
-};
 inline constexpr std::array all_commands{Command::again, Command::next, Command::pause,
                                          Command::fast, Command::mute};
 
@@ -31,9 +23,10 @@ class KeyBindings {
   Key key_of(Command command) const { return keys_[static_cast<std::size_t>(command)]; }
   /// Only letters can be taken, and none that does something else: then nothing changes.
   carom::Status bind(Command command, Key key);
-  /// What a screen is to get when `pressed` is pressed: for a letter the one that its command has
-  /// at first, none if it has no command; any other key itself.
-  std::optional<Key> meaning(Key pressed) const;
+  /// The command of a letter; none if it has none, or is not a letter.
+  std::optional<Command> command_of(Key key) const;
+  /// What a screen gets: for a letter its command, none if it has none; any other input itself.
+  std::optional<Input> meaning(const Input& input) const;
 
   /// Names of commands and letters, "again" and "r", for a file.
   std::vector<std::pair<std::string, std::string>> to_pairs() const;

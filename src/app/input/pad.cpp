@@ -12,6 +12,7 @@ constexpr float flick = 0.6f;  ///< a stick so far out is a cross that is presse
 constexpr nanoseconds first_repeat = milliseconds{400};
 constexpr nanoseconds next_repeat = milliseconds{60};
 
+/// Start is a command instead.
 KeyPressed key_of(PadButton button) {
   switch (button) {
     case PadButton::up:
@@ -32,11 +33,10 @@ KeyPressed key_of(PadButton button) {
       return {Key::back_tab, true};
     case PadButton::y:
       return {Key::help};
-    case PadButton::start:
-      return {Key::p};
     case PadButton::left_shoulder:
       return {Key::left, true};
     case PadButton::right_shoulder:
+    case PadButton::start:
       break;
   }
   return {Key::right, true};
@@ -66,11 +66,13 @@ void Pad::hold(std::optional<Key> key) {
 
 std::vector<Input> Pad::event(const Input& input, bool steers) {
   if (const auto* pressed = std::get_if<PadPressed>(&input)) {
+    if (pressed->button == PadButton::start) return {CommandPressed{Command::pause}};
     const KeyPressed key = key_of(pressed->button);
     if (is_cross(pressed->button)) hold(key.key);
     return {key};
   }
   if (const auto* released = std::get_if<PadReleased>(&input)) {
+    if (released->button == PadButton::start) return {CommandReleased{Command::pause}};
     const Key key = key_of(released->button).key;
     if (is_cross(released->button) && key_ == key) hold({});
     return {KeyReleased{key}};
@@ -82,8 +84,8 @@ std::vector<Input> Pad::event(const Input& input, bool steers) {
         std::exchange(axis, moved->value >= -1 && moved->value <= 1 ? moved->value : 0);
     if (moved->axis == PadAxis::right_trigger) {
       // What makes a throw stronger makes it pass quicker.
-      if (axis > flick && before <= flick && !steers) return {KeyPressed{Key::f}};
-      if (axis <= flick && before > flick) return {KeyReleased{Key::f}};
+      if (axis > flick && before <= flick && !steers) return {CommandPressed{Command::fast}};
+      if (axis <= flick && before > flick) return {CommandReleased{Command::fast}};
       return {};
     }
     const auto key = stick_key();
@@ -96,7 +98,7 @@ std::vector<Input> Pad::event(const Input& input, bool steers) {
   }
   const bool hurries = axes_[static_cast<std::size_t>(PadAxis::right_trigger)] > flick;
   *this = {};
-  if (hurries) return {KeyReleased{Key::f}};
+  if (hurries) return {CommandReleased{Command::fast}};
   return {};
 }
 

@@ -11,27 +11,26 @@ bool GameSpeed::event(const Input& input, bool free, bool watches) {
   if (std::holds_alternative<PointerReleased>(input) ||
       std::holds_alternative<PointerCancelled>(input) || is_key(input, Key::settings))
     pressed_.reset();
-  if (const auto* released = std::get_if<KeyReleased>(&input)) {
-    if (released->key == Key::f) fast_ = false;
+  if (const auto* released = std::get_if<CommandReleased>(&input)) {
+    if (released->command == Command::fast) fast_ = false;
     return false;
   }
   if (paused_) {
     // What ends the pause does nothing else: a click is no shot.
-    const bool ends =
-        std::holds_alternative<KeyPressed>(input) || std::holds_alternative<PointerPressed>(input);
+    const bool ends = is_press_of_key(input) || std::holds_alternative<PointerPressed>(input);
     if (ends) paused_ = false;
     return ends || std::holds_alternative<TextTyped>(input) ||
            std::holds_alternative<WheelTurned>(input);
   }
   if (!free) return false;
   if (std::holds_alternative<PointerPressed>(input) && watches) pressed_ = nanoseconds{0};
-  if (is_key(input, Key::p)) {
+  if (is_command(input, Command::pause)) {
     paused_ = true;
     fast_ = false;
     pressed_.reset();
     return true;
   }
-  if (!is_key(input, Key::f)) return false;
+  if (!is_command(input, Command::fast)) return false;
   fast_ = true;
   return true;
 }

@@ -122,11 +122,12 @@ Transition AngryBallsScreen::event(const Input& input) {
       return Transition::stay;
     }
     // First what is held is let go.
-    if (launcher->held() && std::holds_alternative<KeyPressed>(input)) return Transition::stay;
+    if (launcher->held() && is_press_of_key(input)) return Transition::stay;
   }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
-  if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
+  if (played_.practice() &&
+      (!over || is_key(input, Key::backspace) || is_command(input, Command::again))) {
     if (const auto command = strip_.event(input)) {
       if (played_.practise(*command, aim_in(state_))) show_anew();
       return Transition::stay;
@@ -144,7 +145,7 @@ Transition AngryBallsScreen::event(const Input& input) {
     return Transition::stay;
   if (const auto command = bar_.event(input)) return obey(*command);
   if (is_key(input, Key::settings)) return Transition::settings;
-  if (is_key(input, Key::r)) return obey(UserBar::Command::restart);
+  if (is_command(input, Command::again)) return obey(UserBar::Command::restart);
 
   if (is_key(input, Key::escape)) return obey(UserBar::Command::close);
 
@@ -152,7 +153,7 @@ Transition AngryBallsScreen::event(const Input& input) {
   if (offered) {
     offered->prompt.event(input);
     const bool key =
-        is_key(input, Key::n) || is_key(input, Key::enter) || is_key(input, Key::space);
+        is_command(input, Command::next) || is_key(input, Key::enter) || is_key(input, Key::space);
     if ((click || key) && played_.apply(angry_balls::Next{})) {
       follow_phase();
       keep();

@@ -102,11 +102,12 @@ Transition BilliardsScreen::event(const Input& input) {
       return Transition::stay;
     }
     // First what is held is let go.
-    if (launcher->held() && std::holds_alternative<KeyPressed>(input)) return Transition::stay;
+    if (launcher->held() && is_press_of_key(input)) return Transition::stay;
   }
   auto* over = std::get_if<Over>(&state_);
   // At the end only these two: the others would change what is not seen, or move the focus.
-  if (played_.practice() && (!over || is_key(input, Key::backspace) || is_key(input, Key::r))) {
+  if (played_.practice() &&
+      (!over || is_key(input, Key::backspace) || is_command(input, Command::again))) {
     if (const auto command = strip_.event(input)) {
       if (played_.practise(*command, aim_in(state_))) show_anew();
       return Transition::stay;
@@ -124,7 +125,7 @@ Transition BilliardsScreen::event(const Input& input) {
   if (is_key(input, Key::settings)) return Transition::settings;
 
   if (is_key(input, Key::escape)) return request(UserBar::Command::close);
-  if (is_key(input, Key::r)) return request(UserBar::Command::restart);
+  if (is_command(input, Command::again)) return request(UserBar::Command::restart);
   const auto* press = std::get_if<PointerPressed>(&input);
   if (press && press->button == PointerButton::left && !on_button() &&
       std::holds_alternative<PlaceBall>(state_))

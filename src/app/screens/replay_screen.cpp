@@ -139,7 +139,6 @@ Transition ReplayScreen::event(const Input& input) {
   if (const auto* key = std::get_if<KeyPressed>(&input)) {
     switch (key->key) {
       case Key::space:
-      case Key::p:
         return press(play);
       case Key::period:
         return press(one);
@@ -161,6 +160,7 @@ Transition ReplayScreen::event(const Input& input) {
         break;
     }
   }
+  if (is_command(input, Command::pause)) return press(play);
   const auto chosen = buttons_.event(input);
   return chosen ? press(*chosen) : Transition::stay;
 }
