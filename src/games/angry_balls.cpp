@@ -53,6 +53,8 @@ carom::Status Game::launch(carom::Vec2 drag) {
                         .problem = "is out of turn",
                         .expected = "the projectile at the launch place"};
   if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
+  events_.clear();
+  physics_.clear();
   phase_ = Phase::fly;
   --throws_left_;
   turn_balls_ = 0;
@@ -65,13 +67,12 @@ carom::Status Game::next() {
     return carom::Error{.pointer = "next",
                         .problem = "is out of turn",
                         .expected = "a throw that has come to rest"};
-  if (throws_left_ == 0) {
-    phase_ = Phase::lost;
-    events_ = {{.kind = EventKind::lost}};
-    return carom::Done{};
-  }
-  if (carom::Status placed = world_.place_lead(launch_place()); !placed) return placed;
-  phase_ = Phase::aim;
+  if (throws_left_ > 0)
+    if (carom::Status placed = world_.place_lead(launch_place()); !placed) return placed;
+  events_.clear();
+  physics_.clear();
+  phase_ = throws_left_ > 0 ? Phase::aim : Phase::lost;
+  if (phase_ == Phase::lost) events_.push_back({.kind = EventKind::lost});
   return carom::Done{};
 }
 

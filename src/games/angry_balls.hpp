@@ -72,7 +72,7 @@ class Game {
   carom::Status apply(const Command& command);
 
   /// Advances by carom::time_step in phases fly and offer; otherwise does nothing. Afterwards
-  /// physics_events() and events() tell what happened.
+  /// physics_events() and events() tell what happened, as after apply().
   void step();
 
   Phase phase() const { return phase_; }
@@ -84,7 +84,8 @@ class Game {
   int score() const { return score_; }
   int turn_balls() const { return turn_balls_; }  ///< destroyed or gone in this turn
 
-  /// Events of the last step(): the world's, and what the rules made of them.
+  /// Events of the last step() or of the last command that was taken: the world's, which a command
+  /// has none of, and what the rules made of them.
   std::span<const carom::Event> physics_events() const { return physics_; }
   std::span<const Event> events() const { return events_; }
 

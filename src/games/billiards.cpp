@@ -73,6 +73,8 @@ carom::Status Game::shoot(carom::Vec2 drag) {
   if (phase_ != Phase::aim)
     return refusal("shoot", "is out of turn", "the cue ball at rest, waiting for its shot");
   if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
+  events_.clear();
+  physics_.clear();
   phase_ = Phase::roll;
   turn_steps_ = 0;
   ++tally().shots;
@@ -108,6 +110,8 @@ carom::Status Game::place(carom::Vec2 position) {
   if (obstruction(position) != Obstruction::none)
     return refusal("position", "is not free", "a place clear of balls, holes and cushions");
   if (carom::Status placed = world_.place_lead(position); !placed) return placed;
+  events_.clear();
+  physics_.clear();
   phase_ = Phase::aim;
   return carom::Done{};
 }

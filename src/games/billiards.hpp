@@ -105,7 +105,7 @@ class Game {
   carom::Status apply(const Command& command);
 
   /// Advances by carom::time_step in phase roll; otherwise does nothing. Afterwards
-  /// physics_events() and events() tell what happened.
+  /// physics_events() and events() tell what happened, as after apply().
   void step();
 
   /// What stands in the way of the cue ball at `position` (px): it must overlap no ball, no hole
@@ -126,7 +126,8 @@ class Game {
   /// Once over: who won; none for a draw (and before the end).
   std::optional<int> winner() const;
 
-  /// Events of the last step(): the world's, and what the rules made of them.
+  /// Events of the last step() or of the last command that was taken: the world's, which a command
+  /// has none of, and what the rules made of them.
   std::span<const carom::Event> physics_events() const { return physics_; }
   std::span<const Event> events() const { return events_; }
 

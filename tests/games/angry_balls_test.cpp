@@ -113,6 +113,34 @@ TEST(AngryBalls, LosesWhenTheThirdThrowIsOver) {
   EXPECT_FALSE(game.apply(away));
 }
 
+TEST(AngryBalls, EventsOfACommandComeOutLikeThoseOfAStep) {
+  carom::Scene scene = level();
+  scene.throws = 2;
+  Game game = start(scene);
+  const auto kinds = [&] {
+    std::vector<EventKind> all;
+    for (const Event& event : game.events()) all.push_back(event.kind);
+    return all;
+  };
+  using Kinds = std::vector<EventKind>;
+  ASSERT_TRUE(game.apply(away));
+  EXPECT_EQ(kinds(), Kinds{});
+  fly(game);
+  EXPECT_EQ(kinds(), Kinds{EventKind::offered});
+  EXPECT_FALSE(game.apply(away));
+  EXPECT_EQ(kinds(), Kinds{EventKind::offered}) << "refused, so nothing has happened";
+  ASSERT_TRUE(game.apply(Next{}));
+  EXPECT_EQ(kinds(), Kinds{}) << "an offer is told once";
+  EXPECT_TRUE(game.physics_events().empty());
+  ASSERT_TRUE(game.apply(away));
+  fly(game);
+  ASSERT_TRUE(game.apply(Next{}));
+  EXPECT_EQ(kinds(), Kinds{EventKind::lost});
+  EXPECT_TRUE(game.physics_events().empty());
+  game.step();
+  EXPECT_EQ(kinds(), Kinds{}) << "lost once";
+}
+
 TEST(AngryBalls, AProjectileThatLeavesComesBackAtTheNextThrow) {
   Game game = start(level());
   ASSERT_TRUE(game.apply(away));

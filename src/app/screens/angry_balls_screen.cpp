@@ -155,6 +155,7 @@ Transition AngryBallsScreen::event(const Input& input) {
     const bool key =
         is_command(input, Command::next) || is_key(input, Key::enter) || is_key(input, Key::space);
     if ((click || key) && played_.apply(angry_balls::Next{})) {
+      show_events(effects_, session_.sounds, game(), words_);
       follow_phase();
       keep();
     }
@@ -258,7 +259,6 @@ void AngryBallsScreen::follow_phase() {
     case Phase::won:
     case Phase::lost:
       foresight_.end();
-      if (game().phase() == Phase::lost) session_.sounds.note({SoundKind::lose});
       state_ = Over{result(), game().world(),
                     game().phase() == Phase::won ? epilogue_time : nanoseconds{0}};
       place_parts();
@@ -352,7 +352,7 @@ void AngryBallsScreen::step() {
   played_.step();
   if (foresight_.step()) game_speed_.decisive();
   trace_projectile();
-  show_step(effects_, session_.sounds, game(), words_);
+  show_events(effects_, session_.sounds, game(), words_);
   for (const angry_balls::Event& event : game().events())
     if (event.kind == angry_balls::EventKind::scored) turn_points_ += event.points;
   if (game().phase() == before) return;

@@ -298,7 +298,7 @@ void BilliardsScreen::step() {
   const int shooter = game().player();
   played_.step();
   if (foresight_.step()) game_speed_.decisive();
-  show_step(effects_, session_.sounds, game(), words_);
+  show_events(effects_, session_.sounds, game(), words_);
   for (const billiards::Event& event : game().events()) note(event, shooter);
   if (game().phase() == Phase::roll) return;
   if (game().phase() == Phase::over && !played_.practice())

@@ -243,12 +243,7 @@ void ReplayScreen::step() {
   const std::uint64_t before = player_.steps();
   const bool begins = !turns.empty() && before == turns[player_.turn()].first_step;
   interpolator_.record(replay::world(player_.game()));
-  const bool was_over = replay::over(player_.game());
-  const bool went_on = player_.step();
-  const auto* level = std::get_if<games::angry_balls::Game>(&player_.game());
-  if (!was_over && level && level->phase() == games::angry_balls::Phase::lost)
-    session_.sounds.note({SoundKind::lose});
-  if (!went_on) {
+  if (!player_.step()) {
     ended_ = true;
     playing_ = false;
     return;
@@ -256,9 +251,9 @@ void ReplayScreen::step() {
   // A ball that was put down has not rolled there.
   const carom::World& world = replay::world(player_.game());
   if (begins) interpolator_.restart(world);
-  if (player_.steps() == before) return;
-  if (begins && world.in_play(0)) note_launch(session_.sounds, world.ball(0), world.scene());
-  std::visit([&](const auto& game) { show_step(effects_, session_.sounds, game, words_); },
+  if (begins && player_.steps() != before && world.in_play(0))
+    note_launch(session_.sounds, world.ball(0), world.scene());
+  std::visit([&](const auto& game) { show_events(effects_, session_.sounds, game, words_); },
              player_.game());
 }
 

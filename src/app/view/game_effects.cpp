@@ -9,7 +9,8 @@ namespace app {
 namespace angry_balls = games::angry_balls;
 namespace billiards = games::billiards;
 
-void show_step(Effects& effects, Sounds& sounds, const billiards::Game& game, const Words& words) {
+void show_events(Effects& effects, Sounds& sounds, const billiards::Game& game,
+                 const Words& words) {
   const carom::Scene& table = game.world().scene();
   note_contacts(sounds, game.physics_events(), table, false);
   for (const billiards::Event& event : game.events())
@@ -27,11 +28,12 @@ void show_step(Effects& effects, Sounds& sounds, const billiards::Game& game, co
   }
 }
 
-void show_step(Effects& effects, Sounds& sounds, const angry_balls::Game& game,
-               const Words& words) {
+void show_events(Effects& effects, Sounds& sounds, const angry_balls::Game& game,
+                 const Words& words) {
   show_balls(effects, sounds, game.physics_events(), game.level());
   for (const angry_balls::Event& event : game.events()) {
     if (event.kind == angry_balls::EventKind::won) sounds.note({SoundKind::win});
+    if (event.kind == angry_balls::EventKind::lost) sounds.note({SoundKind::lose});
     if (event.kind == angry_balls::EventKind::scored)
       effects.float_up(event.position, words(Text::points, {words.number(event.points)}), 0);
   }

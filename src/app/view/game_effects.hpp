@@ -8,13 +8,13 @@
 
 namespace app {
 
-// What passes by after a step of a game and what is heard of it: contacts, balls that sink or
-// burst, and the points they make.
+// What passes by after a step or command of a game and what is heard of it: contacts, balls that
+// sink or burst, the points they make, and how it ends.
 
-void show_step(Effects& effects, Sounds& sounds, const games::billiards::Game& game,
-               const Words& words);
-void show_step(Effects& effects, Sounds& sounds, const games::angry_balls::Game& game,
-               const Words& words);
+void show_events(Effects& effects, Sounds& sounds, const games::billiards::Game& game,
+                 const Words& words);
+void show_events(Effects& effects, Sounds& sounds, const games::angry_balls::Game& game,
+                 const Words& words);
 
 /// Only the balls, for a level's world that goes on without its rules.
 void show_balls(Effects& effects, Sounds& sounds, std::span<const carom::Event> events,
