@@ -85,19 +85,6 @@ void App::event(const Input& input) {
   note_hand(input);
 }
 
-/// By what was drawn last, which is what the player sees.
-bool App::presses_button(const Input& input) const {
-  std::span<const Box> open = std::span(list_.boxes).subspan(list_.covered);
-  if (const auto* press = std::get_if<PointerPressed>(&input))
-    return press->button == PointerButton::left && std::ranges::any_of(open, [&](const Box& box) {
-             return box.kind == Box::Kind::button && box.area.contains(press->at);
-           });
-  const bool enter = is_key(input, Key::enter);
-  if ((!enter && !is_key(input, Key::space)) || (!help_ && screen_->typing())) return false;
-  return std::ranges::any_of(open, &Box::focused) ||
-         (enter && std::ranges::any_of(open, &Box::primary));
-}
-
 void App::mute() {
   Settings settings = session_.settings.get();
   settings.mute = !settings.mute;
@@ -149,7 +136,6 @@ void App::give(const Input& input) {
     for (const auto& screen : below_) screen->event(input);
     return go(screen_->event(input));
   }
-  if (presses_button(input)) session_.sounds.note({SoundKind::click});
   if (help_) {
     if (!help_->event(input)) help_.reset();
     keep_keys();
@@ -303,7 +289,7 @@ void App::go(Transition transition) {
       show(std::make_unique<BilliardsScreen>(words_, session_, BilliardsScreen::Mode::practice));
       break;
     case Transition::levels:
-      show(std::make_unique<LevelMenu>(words_, session_.campaign));
+      show(std::make_unique<LevelMenu>(words_, session_));
       break;
     case Transition::level:
       show(std::make_unique<AngryBallsScreen>(words_, session_));
@@ -327,7 +313,7 @@ void App::go(Transition transition) {
       cover(std::make_unique<SettingsScreen>(words_, session_));
       break;
     case Transition::help:
-      help_.emplace(words_, session_.keyboard);
+      help_.emplace(words_, session_);
       help_->resize(view_);
       return;
     case Transition::back:

@@ -75,7 +75,6 @@ class App {
   bool steers() const { return !help_ && screen_->aim_prompt().has_value(); }
   void go(Transition transition);
   std::unique_ptr<Screen> resumed();
-  bool presses_button(const Input& input) const;
   void mute();
   void keep_keys();
   void play(Level level);

@@ -13,11 +13,12 @@ class ButtonsTest : public testing::Test {
     buttons.place({}, 0, {0, 0, 100, 40});
     buttons.place({}, 1, {0, 50, 100, 40});
   }
-  auto press(app::Point at) { return buttons.event(app::PointerPressed{at}); }
-  auto release(app::Point at) { return buttons.event(app::PointerReleased{at}); }
-  auto key(Key key) { return buttons.event(app::KeyPressed{key}); }
+  auto press(app::Point at) { return buttons.event(app::PointerPressed{at}, sounds); }
+  auto release(app::Point at) { return buttons.event(app::PointerReleased{at}, sounds); }
+  auto key(Key key) { return buttons.event(app::KeyPressed{key}, sounds); }
 
-  app::Buttons buttons{{"first", "second"}, 0};
+  app::Buttons buttons{{{0, "first"}, {1, "second"}}, 0};
+  app::Sounds sounds;
 };
 
 TEST_F(ButtonsTest, ActsOnRelease) {
@@ -46,7 +47,7 @@ TEST_F(ButtonsTest, EnterMeansThePrimaryButtonUntilAnotherHasTheFocus) {
 }
 
 TEST_F(ButtonsTest, TheFocusGoesThroughGroupsAsIfTheyWereOne) {
-  app::Buttons others{{"third"}};
+  app::Buttons others(std::vector<app::Buttons::Button>{{0, "third"}});
   const auto tab = [&](Key key) {
     return app::Buttons::move_focus({&buttons, nullptr, &others}, app::KeyPressed{key});
   };
@@ -69,15 +70,39 @@ TEST_F(ButtonsTest, TheFocusGoesThroughGroupsAsIfTheyWereOne) {
 }
 
 TEST_F(ButtonsTest, TheRightButtonPressesNothing) {
-  buttons.event(app::PointerPressed{{50, 60}, app::PointerButton::right});
-  EXPECT_FALSE(buttons.event(app::PointerReleased{{50, 60}, app::PointerButton::right}));
+  buttons.event(app::PointerPressed{{50, 60}, app::PointerButton::right}, sounds);
+  EXPECT_FALSE(buttons.event(app::PointerReleased{{50, 60}, app::PointerButton::right}, sounds));
+}
+
+TEST_F(ButtonsTest, AClickSoundsWhenAButtonIsPressed) {
+  press({300, 300});
+  EXPECT_TRUE(sounds.empty()) << "beside all buttons";
+  buttons.event(app::PointerPressed{{50, 60}, app::PointerButton::right}, sounds);
+  key(Key::space);
+  EXPECT_TRUE(sounds.empty()) << "nothing has the focus";
+  press({50, 60});
+  release({50, 60});
+  EXPECT_EQ(sounds.take(), std::vector{app::SoundEvent{app::SoundKind::click}});
+  key(Key::enter);
+  EXPECT_EQ(sounds.take().size(), 1u);
+}
+
+TEST_F(ButtonsTest, TheFocusStaysOnAButtonThatIsStillThere) {
+  key(Key::tab);
+  key(Key::tab);
+  app::Buttons longer(std::vector<app::Buttons::Button>{{0}, {7}, {1}});
+  longer.keep_focus(buttons);
+  EXPECT_TRUE(longer.focused(1));
+  app::Buttons without(std::vector<app::Buttons::Button>{{0}, {7}});
+  without.keep_focus(buttons);
+  EXPECT_FALSE(without.has_focus());
 }
 
 TEST_F(ButtonsTest, AFingerNeedNotBeExact) {
   buttons.place({}, 0, {0, 0, 20, 20});
   buttons.place({}, 1, {30, 0, 20, 20});
   const auto tap = [&](app::Point at) {
-    buttons.event(app::PointerPressed{at, app::PointerButton::left, true});
+    buttons.event(app::PointerPressed{at, app::PointerButton::left, true}, sounds);
     return release(at);
   };
   EXPECT_EQ(tap({10, 31}), 0u);
@@ -94,12 +119,12 @@ TEST_F(ButtonsTest, AFingerNeedNotBeExact) {
 
 TEST_F(ButtonsTest, WhatIsTakenBackPressesNothing) {
   press({50, 60});
-  buttons.event(app::PointerCancelled{});
+  buttons.event(app::PointerCancelled{}, sounds);
   EXPECT_FALSE(buttons.hovered(1));
   EXPECT_FALSE(release({50, 60}));
-  buttons.event(app::PointerMoved{{50, 60}});
+  buttons.event(app::PointerMoved{{50, 60}}, sounds);
   EXPECT_TRUE(buttons.hovered(1));
-  buttons.event(app::PointerLeft{});
+  buttons.event(app::PointerLeft{}, sounds);
   EXPECT_FALSE(buttons.hovered(1));
 }
 

@@ -240,8 +240,7 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntr
   if (shoot) {
     const Rect box = shoot_button(canvas.view, area);
     rest.cut_left(box.w + canvas.px(12));
-    Buttons button({words(Text::shoot)}, 0);
-    button.explain(0, words(Text::tip_shoot));
+    Buttons button({{0, words(Text::shoot), words(Text::tip_shoot)}}, 0);
     button.place(canvas.view, 0, box);
     button.draw(canvas, 18);
   }

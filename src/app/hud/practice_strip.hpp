@@ -16,7 +16,7 @@ class PracticeStrip {
 
   static float height(const View& view);
   void resize(const View& view, const Rect& area);
-  std::optional<PracticeCommand> event(const Input& input);
+  std::optional<PracticeCommand> event(const Input& input, Sounds& sounds);
   bool has_button_at(Point at, bool touch) const { return buttons_.cover(at, touch); }
   Buttons& buttons() { return buttons_; }
   const Buttons& buttons() const { return buttons_; }

@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 // In the order of UserBar::Command.
-enum Button : std::size_t { restart, close, settings };
+enum Button : ButtonId { restart, close, settings };
 
 constexpr float gear_width = 44;        ///< units
 constexpr float touch_gear_width = 52;  ///< units
@@ -31,7 +31,7 @@ void draw_gear(DrawList& list, Point center, float radius, Color color, Color gr
 
 }  // namespace
 
-UserBar::UserBar() : buttons_({"", "", ""}) {}
+UserBar::UserBar() : buttons_({{restart}, {close}, {settings}}) {}
 
 void UserBar::relabel(std::string restart_label, std::string close_label,
                       std::string settings_label) {
@@ -83,8 +83,8 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   return {row, rest};
 }
 
-std::optional<UserBar::Command> UserBar::event(const Input& input) {
-  const auto chosen = buttons_.event(input);
+std::optional<UserBar::Command> UserBar::event(const Input& input, Sounds& sounds) {
+  const auto chosen = buttons_.event(input, sounds);
   if (!chosen) return std::nullopt;
   return static_cast<Command>(*chosen);
 }

@@ -15,7 +15,7 @@ class UserBar {
  public:
   enum class Command : std::uint8_t { restart, close, settings };
 
-  std::optional<Command> event(const Input& input);
+  std::optional<Command> event(const Input& input, Sounds& sounds);
   /// A click here is a button's business; elsewhere in the bar it may end a drag.
   bool has_button_at(Point at, bool touch) const { return buttons_.cover(at, touch); }
   Buttons& buttons() { return buttons_; }

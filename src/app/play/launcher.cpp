@@ -217,7 +217,10 @@ Launcher::Outcome Launcher::press(Point at, bool touch, const Stage& stage) {
     move(at, stage);
     return Outcome::taken;
   }
-  if (offers_shot(stage.way, touch) && stage.shoot.contains(at)) return launch();
+  if (offers_shot(stage.way, touch) && stage.shoot.contains(at)) {
+    if (stage.sounds) stage.sounds->note({SoundKind::click});
+    return launch();
+  }
   const bool takes = on_lead(stage.lead, at, stage.viewport, stage.view);
   if (touch && stage.way == AimWay::turn && grip_ != Grip::clicked)
     return touch_to_turn(at, takes, stage);

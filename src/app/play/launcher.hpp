@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "app/audio/sound.hpp"
 #include "app/graphics/draw_list.hpp"
 #include "app/graphics/view.hpp"
 #include "app/input/input.hpp"
@@ -31,6 +32,7 @@ class Launcher {
     AimWay way = AimWay::pull;
     bool on_button = false;        ///< the pointer is on a button
     bool focus_elsewhere = false;  ///< a button has the keyboard's focus
+    Sounds* sounds = nullptr;      ///< where the button that launches clicks
   };
   enum class Outcome : std::uint8_t {
     untouched,  ///< the input is somebody else's

@@ -19,8 +19,8 @@ constexpr nanoseconds epilogue_time = milliseconds{1200};
 constexpr double trace_spacing = 0.016;      ///< of the level's width, between the dots
 constexpr std::size_t longest_trace = 1000;  ///< dots
 
-/// The end window's buttons, the last of which Esc means.
-enum EndButton : std::size_t { go_on, again, watch, menu };  // watch: in practice, take back
+enum Answer : ButtonId { yes, no };
+enum EndButton : ButtonId { go_on, again, watch, menu };  // watch: in practice, take back
 
 }  // namespace
 
@@ -105,10 +105,10 @@ Transition AngryBallsScreen::event(const Input& input) {
   // A key that is let go is so beneath a question, too.
   if (launcher && std::holds_alternative<KeyReleased>(input)) launcher->event(input, stage());
   if (question_) {
-    const auto chosen = question_->event(input);
+    const auto chosen = question_->event(input, session_.sounds);
     if (!chosen) return Transition::stay;
     question_.reset();
-    if (*chosen != 0) return Transition::stay;
+    if (*chosen != yes) return Transition::stay;
     played_.forget();
     return Transition::levels;
   }
@@ -128,14 +128,14 @@ Transition AngryBallsScreen::event(const Input& input) {
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() &&
       (!over || is_key(input, Key::backspace) || is_command(input, Command::again))) {
-    if (const auto command = strip_.event(input)) {
+    if (const auto command = strip_.event(input, session_.sounds)) {
       if (played_.practise(*command, aim_in(state_))) show_anew();
       return Transition::stay;
     }
   }
   if (over) {
     if (over->wait > nanoseconds{0}) return Transition::stay;
-    const auto chosen = over->dialog.event(input);
+    const auto chosen = over->dialog.event(input, session_.sounds);
     return chosen ? finish(*chosen) : Transition::stay;
   }
   auto* offered = std::get_if<NextOffered>(&state_);
@@ -143,7 +143,7 @@ Transition AngryBallsScreen::event(const Input& input) {
                            offered ? &offered->prompt : nullptr},
                           input))
     return Transition::stay;
-  if (const auto command = bar_.event(input)) return obey(*command);
+  if (const auto command = bar_.event(input, session_.sounds)) return obey(*command);
   if (is_key(input, Key::settings)) return Transition::settings;
   if (is_command(input, Command::again)) return obey(UserBar::Command::restart);
 
@@ -151,7 +151,7 @@ Transition AngryBallsScreen::event(const Input& input) {
 
   const bool click = press && press->button == PointerButton::left && !on_button();
   if (offered) {
-    offered->prompt.event(input);
+    offered->prompt.event(input, session_.sounds);
     const bool key =
         is_command(input, Command::next) || is_key(input, Key::enter) || is_key(input, Key::space);
     if ((click || key) && played_.apply(angry_balls::Next{})) {
@@ -185,7 +185,8 @@ Launcher::Stage AngryBallsScreen::stage() const {
           .shoot = shoot_button(view_, layout_.footer),
           .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
-          .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
+          .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus(),
+          .sounds = &session_.sounds};
 }
 
 Transition AngryBallsScreen::obey(UserBar::Command command) {
@@ -194,11 +195,11 @@ Transition AngryBallsScreen::obey(UserBar::Command command) {
       game().world().steps() > 0 && !std::holds_alternative<Over>(state_) && !played_.practice();
   if (command == UserBar::Command::close) {
     if (!under_way) return Transition::levels;
-    question_.emplace(
-        words_(Text::ask_leave_level),
-        std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
-        std::vector<Dialog::Button>{{words_(Text::leave), words_(Text::tip_give_up)},
-                                    {words_(Text::keep_playing), words_(Text::tip_close_help)}});
+    question_.emplace(words_(Text::ask_leave_level),
+                      std::vector<Dialog::Line>{{words_(Text::level_is_lost), {}, {}}},
+                      std::vector<Dialog::Button>{
+                          {yes, words_(Text::leave), words_(Text::tip_give_up)},
+                          {no, words_(Text::keep_playing), words_(Text::tip_close_help)}});
     place_parts();
   } else if (played_.restart()) {
     game_speed_.new_game();
@@ -208,10 +209,8 @@ Transition AngryBallsScreen::obey(UserBar::Command command) {
   return Transition::stay;
 }
 
-Transition AngryBallsScreen::finish(std::size_t button) {
-  const bool next_level = game().phase() == Phase::won && campaign_.next().has_value();
-  // Without a next level the other buttons move up.
-  switch (button + (next_level ? 0 : 1)) {
+Transition AngryBallsScreen::finish(ButtonId button) {
+  switch (button) {
     case go_on:
       campaign_.current = *campaign_.next();
       return Transition::level;
@@ -253,7 +252,7 @@ void AngryBallsScreen::follow_phase() {
       if (!session_.calm()) foresight_.begin(game());
       break;
     case Phase::offer:
-      state_ = NextOffered{Buttons({next_label()}, 0)};
+      state_ = NextOffered{Buttons({{0, next_label()}}, 0)};
       place_parts();
       return;  // the level goes on moving
     case Phase::won:
@@ -292,12 +291,14 @@ Dialog AngryBallsScreen::result() {
     lines.push_back({words_(Text::enemies_remain, {words_.number(game().enemies_left())}), {}, {}});
   }
   std::vector<Dialog::Button> buttons{
-      {words_(Text::play_again), words_(Text::tip_restart)},
-      played_.practice() ? Dialog::Button{words_(Text::take_back), words_(Text::tip_take_back)}
-                         : Dialog::Button{words_(Text::watch_replay), words_(Text::tip_watch)},
-      {words_(Text::menu), words_(Text::tip_menu)}};
+      {again, words_(Text::play_again), words_(Text::tip_restart)},
+      played_.practice()
+          ? Dialog::Button{watch, words_(Text::take_back), words_(Text::tip_take_back)}
+          : Dialog::Button{watch, words_(Text::watch_replay), words_(Text::tip_watch)},
+      {menu, words_(Text::menu), words_(Text::tip_menu)}};
   if (won && campaign_.next())
-    buttons.insert(buttons.begin(), {words_(Text::next_level), words_(Text::tip_next_level)});
+    buttons.insert(buttons.begin(),
+                   {go_on, words_(Text::next_level), words_(Text::tip_next_level)});
   return {words_(won ? Text::won : Text::lost), std::move(lines), buttons};
 }
 

@@ -68,7 +68,7 @@ class AngryBallsScreen final : public Screen {
   Dialog result();
 
   Transition obey(UserBar::Command command);
-  Transition finish(std::size_t button);
+  Transition finish(ButtonId button);
   bool on_button() const;
   Launcher::Stage stage() const;
   const carom::World& shown_world() const;

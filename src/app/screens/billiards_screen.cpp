@@ -18,6 +18,8 @@ namespace billiards = games::billiards;
 using billiards::Obstruction;
 using billiards::Phase;
 
+enum Answer : ButtonId { yes, no };
+enum EndButton : ButtonId { again, watch, leave };  // watch: in practice, take back
 Text reason(Obstruction obstruction) {
   switch (obstruction) {
     case Obstruction::ball:
@@ -86,11 +88,11 @@ Transition BilliardsScreen::event(const Input& input) {
   // A key that is let go is so beneath a question, too.
   if (launcher && std::holds_alternative<KeyReleased>(input)) launcher->event(input, stage());
   if (question_) {
-    const auto chosen = question_->dialog.event(input);
+    const auto chosen = question_->dialog.event(input, session_.sounds);
     if (!chosen) return Transition::stay;
     const UserBar::Command about = question_->about;
     question_.reset();
-    return *chosen == 0 ? obey(about) : Transition::stay;
+    return *chosen == yes ? obey(about) : Transition::stay;
   }
   if (launcher) {
     const Launcher::Outcome outcome = launcher->event(input, stage());
@@ -108,20 +110,20 @@ Transition BilliardsScreen::event(const Input& input) {
   // At the end only these two: the others would change what is not seen, or move the focus.
   if (played_.practice() &&
       (!over || is_key(input, Key::backspace) || is_command(input, Command::again))) {
-    if (const auto command = strip_.event(input)) {
+    if (const auto command = strip_.event(input, session_.sounds)) {
       if (played_.practise(*command, aim_in(state_))) show_anew();
       return Transition::stay;
     }
   }
   if (over) {
-    const auto chosen = over->dialog.event(input);
+    const auto chosen = over->dialog.event(input, session_.sounds);
     return chosen ? finish(*chosen) : Transition::stay;
   }
   if (std::holds_alternative<PlaceBall>(state_) && steer_place(input)) return Transition::stay;
   if (Buttons::move_focus({&bar_.buttons(), played_.practice() ? &strip_.buttons() : nullptr},
                           input))
     return Transition::stay;
-  if (const auto command = bar_.event(input)) return request(*command);
+  if (const auto command = bar_.event(input, session_.sounds)) return request(*command);
   if (is_key(input, Key::settings)) return Transition::settings;
 
   if (is_key(input, Key::escape)) return request(UserBar::Command::close);
@@ -147,7 +149,8 @@ Launcher::Stage BilliardsScreen::stage() const {
           .shoot = shoot_button(view_, layout_.footer),
           .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
-          .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus()};
+          .focus_elsewhere = bar_.buttons().has_focus() || strip_.buttons().has_focus(),
+          .sounds = &session_.sounds};
 }
 
 /// Arrows and sticks carry the ball in hand, Enter and Space put it down. Whether that was it.
@@ -207,12 +210,12 @@ Transition BilliardsScreen::request(UserBar::Command command) {
   // Nothing to lose.
   if (game().world().steps() == 0 || played_.practice()) return obey(command);
   const bool restart = command == UserBar::Command::restart;
-  question_ =
-      Question{Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
-                      {{words_(Text::game_is_lost), {}, {}}},
-                      {{words_(restart ? Text::new_game : Text::leave), words_(Text::tip_give_up)},
-                       {words_(Text::keep_playing), words_(Text::tip_close_help)}}),
-               command};
+  question_ = Question{
+      Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
+             {{words_(Text::game_is_lost), {}, {}}},
+             {{yes, words_(restart ? Text::new_game : Text::leave), words_(Text::tip_give_up)},
+              {no, words_(Text::keep_playing), words_(Text::tip_close_help)}}),
+      command};
   question_->dialog.resize(view_);
   return Transition::stay;
 }
@@ -237,8 +240,9 @@ void BilliardsScreen::show_anew() {
 }
 
 /// The buttons of the end: again, the replay or in practice back by a shot, the title.
-Transition BilliardsScreen::finish(std::size_t button) {
-  if (button != 1) return obey(button == 0 ? UserBar::Command::restart : UserBar::Command::close);
+Transition BilliardsScreen::finish(ButtonId button) {
+  if (button != watch)
+    return obey(button == again ? UserBar::Command::restart : UserBar::Command::close);
   if (played_.practice()) {
     if (played_.practise(TakeBack{}, aim_in(state_))) show_anew();
     return Transition::stay;
@@ -349,10 +353,11 @@ Dialog BilliardsScreen::result() const {
   compare(Text::fouls, [&](int player) { return game().tally(player).fouls; });
   return {winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
           std::move(lines),
-          {{words_(Text::play_again), words_(Text::tip_restart)},
-           played_.practice() ? Dialog::Button{words_(Text::take_back), words_(Text::tip_take_back)}
-                              : Dialog::Button{words_(Text::watch_replay), words_(Text::tip_watch)},
-           {words_(Text::back_to_title), words_(Text::tip_title)}}};
+          {{again, words_(Text::play_again), words_(Text::tip_restart)},
+           played_.practice()
+               ? Dialog::Button{watch, words_(Text::take_back), words_(Text::tip_take_back)}
+               : Dialog::Button{watch, words_(Text::watch_replay), words_(Text::tip_watch)},
+           {leave, words_(Text::back_to_title), words_(Text::tip_title)}}};
 }
 
 std::optional<AimPrompt> BilliardsScreen::aim_prompt() const {

@@ -69,7 +69,7 @@ class BilliardsScreen final : public Screen {
 
   Transition obey(UserBar::Command command);
   Transition request(UserBar::Command command);
-  Transition finish(std::size_t button);
+  Transition finish(ButtonId button);
   void place(Point at);
   bool steer_place(const Input& input);
   void find_pointer();

@@ -31,16 +31,14 @@ Text own_section(InputDevice hand) {
 
 }  // namespace
 
-Help::Help(const Words& words, Keyboard& keyboard)
+Help::Help(const Words& words, Session& session)
     : words_(words),
-      keyboard_(keyboard),
-      buttons_({words(Text::change_keys), words(Text::close)}, close),
-      pager_({"‹", "›"}) {
-  buttons_.explain(keys, words(Text::tip_keys));
-  buttons_.explain(close, words(Text::tip_close_help));
-  pager_.explain(previous, words(Text::tip_page));
-  pager_.explain(next, words(Text::tip_page));
-}
+      session_(session),
+      keyboard_(session.keyboard),
+      buttons_({{keys, words(Text::change_keys), words(Text::tip_keys)},
+                {close, words(Text::close), words(Text::tip_close_help)}},
+               close),
+      pager_({{previous, "‹", words(Text::tip_page)}, {next, "›", words(Text::tip_page)}}) {}
 
 void Help::resize(const View& view) {
   view_ = view;
@@ -130,7 +128,7 @@ void Help::turn(std::size_t by) { page_ = (page_ + by) % pages_; }
 
 bool Help::event(const Input& input) {
   if (panel_) {
-    if (!panel_->event(input)) {
+    if (!panel_->event(input, session_.sounds)) {
       panel_.reset();
       lay_out();
     }
@@ -148,12 +146,12 @@ bool Help::event(const Input& input) {
   const auto* released = std::get_if<PointerReleased>(&input);
   const bool beside = released && !buttons_.cover(released->at, true) &&
                       !(several && pager_.cover(released->at, true));
-  if (const auto turned = several ? pager_.event(input) : std::nullopt) {
+  if (const auto turned = several ? pager_.event(input, session_.sounds) : std::nullopt) {
     turn(*turned == next ? 1 : pages_ - 1);
     return true;
   }
   if (several && pager_.has_focus() && is_key(input, Key::enter)) return true;
-  const auto chosen = buttons_.event(input);
+  const auto chosen = buttons_.event(input, session_.sounds);
   if (!chosen) return !beside;
   if (*chosen == close) return false;
   panel_.emplace(words_, keyboard_);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/input/key_bindings.hpp"
+#include "app/play/session.hpp"
 #include "app/screens/keys_panel.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/widgets.hpp"
@@ -15,8 +15,8 @@ namespace app {
 /// window makes of it.
 class Help {
  public:
-  /// `keyboard` must outlive this.
-  Help(const Words& words, Keyboard& keyboard);
+  /// `session` must outlive this.
+  Help(const Words& words, Session& session);
 
   void resize(const View& view);
   /// `input` with the keys as they are pressed. False: closed.
@@ -31,8 +31,7 @@ class Help {
     std::string key;   ///< of a title the only text
     std::string what;  ///< empty: a title
   };
-  enum Button : std::size_t { keys, close };
-  enum Pager : std::size_t { previous, next };
+  enum Button : ButtonId { previous, next, keys, close };
 
   struct Section {
     Text title;
@@ -44,6 +43,7 @@ class Help {
   void turn(std::size_t by);
 
   Words words_;
+  Session& session_;
   Keyboard& keyboard_;
   View view_;
   Buttons buttons_;

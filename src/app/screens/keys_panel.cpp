@@ -15,24 +15,23 @@ static_assert(names.size() == all_commands.size());
 
 }  // namespace
 
-KeysPanel::KeysPanel(const Words& words, Keyboard& keyboard)
-    : words_(words),
-      keyboard_(keyboard),
-      buttons_(std::vector<std::string>(all_commands.size() + 2)) {
-  for (std::size_t i = 0; i < all_commands.size(); ++i) buttons_.explain(i, words_(Text::tip_key));
-  buttons_.explain(all_commands.size(), words_(Text::tip_defaults));
-  buttons_.explain(all_commands.size() + 1, words_(Text::tip_close_help));
+KeysPanel::KeysPanel(const Words& words, Keyboard& keyboard) : words_(words), keyboard_(keyboard) {
+  std::vector<Buttons::Button> buttons;
+  for (const Command command : all_commands)
+    buttons.push_back({id_of(command), {}, words_(Text::tip_key)});
+  buttons.push_back({defaults, words_(Text::key_defaults), words_(Text::tip_defaults)});
+  buttons.push_back({back, words_(Text::help_back), words_(Text::tip_close_help)});
+  buttons_ = Buttons(std::move(buttons));
   relabel();
 }
 
 void KeysPanel::relabel() {
-  for (std::size_t i = 0; i < all_commands.size(); ++i)
-    buttons_.relabel(
-        i, wanted_ == all_commands[i]
-               ? words_(Text::key_wanted, {words_(names[i])})
-               : words_(Text::key_line, {words_(names[i]), keyboard_.name(all_commands[i])}));
-  buttons_.relabel(all_commands.size(), words_(Text::key_defaults));
-  buttons_.relabel(all_commands.size() + 1, words_(Text::help_back));
+  for (const Command command : all_commands) {
+    const std::string name = words_(names[id_of(command)]);
+    buttons_.relabel(id_of(command), wanted_ == command
+                                         ? words_(Text::key_wanted, {name})
+                                         : words_(Text::key_line, {name, keyboard_.name(command)}));
+  }
 }
 
 void KeysPanel::resize(const View& view, const Rect& area) {
@@ -46,14 +45,17 @@ void KeysPanel::resize(const View& view, const Rect& area) {
   // In a low window the lines move together.
   const float pitch =
       std::min(view.button(48) + view.px(8), rest.h / static_cast<float>(all_commands.size()));
-  for (std::size_t i = 0; i < all_commands.size(); ++i)
-    buttons_.place(view, i, rest.cut_top(pitch).inset(0, view.px(low ? 1 : view.touch ? 2 : 4)));
-  buttons_.place(view, all_commands.size(), ends.cut_left((ends.w - gap) / 2));
+  for (const Command command : all_commands)
+    buttons_.place(view, id_of(command),
+                   rest.cut_top(pitch).inset(0, view.px(low          ? 1
+                                                        : view.touch ? 2
+                                                                     : 4)));
+  buttons_.place(view, defaults, ends.cut_left((ends.w - gap) / 2));
   ends.cut_left(gap);
-  buttons_.place(view, all_commands.size() + 1, ends);
+  buttons_.place(view, back, ends);
 }
 
-bool KeysPanel::event(const Input& input) {
+bool KeysPanel::event(const Input& input, Sounds& sounds) {
   const auto* key = std::get_if<KeyPressed>(&input);
   if (wanted_ && key) {
     const Command command = *std::exchange(wanted_, std::nullopt);
@@ -66,12 +68,12 @@ bool KeysPanel::event(const Input& input) {
     return true;
   }
   if (is_key(input, Key::escape) || is_key(input, Key::help)) return false;
-  const auto chosen = buttons_.event(input);
+  const auto chosen = buttons_.event(input, sounds);
   if (!chosen) return true;
   message_.clear();
   wanted_.reset();
-  if (*chosen > all_commands.size()) return false;
-  if (*chosen == all_commands.size())
+  if (*chosen == back) return false;
+  if (*chosen == defaults)
     keyboard_.bindings = {};
   else
     wanted_ = all_commands[*chosen];

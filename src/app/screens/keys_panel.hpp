@@ -19,15 +19,19 @@ class KeysPanel {
   /// Within `area`, window px.
   void resize(const View& view, const Rect& area);
   /// `input` with the keys as they are pressed. False: closed.
-  bool event(const Input& input);
+  bool event(const Input& input, Sounds& sounds);
   void draw(Canvas& canvas) const;
 
  private:
+  /// The commands come first, each by its own number.
+  enum Button : ButtonId { defaults = all_commands.size(), back };
+  static ButtonId id_of(Command command) { return static_cast<ButtonId>(command); }
+
   void relabel();
 
   Words words_;
   Keyboard& keyboard_;
-  Buttons buttons_;                ///< the commands, then defaults, then back
+  Buttons buttons_;
   std::optional<Command> wanted_;  ///< the next letter is for this one
   std::string message_;
   Rect head_;

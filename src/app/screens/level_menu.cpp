@@ -29,7 +29,8 @@ constexpr std::size_t most_drawn = 300;  ///< balls, walls and holes of a card's
 
 }  // namespace
 
-LevelMenu::LevelMenu(const Words& words, Campaign& campaign) : words_(words), campaign_(campaign) {}
+LevelMenu::LevelMenu(const Words& words, Session& session)
+    : words_(words), campaign_(session.campaign), sounds_(session.sounds), list_(words) {}
 
 void LevelMenu::resize(const View& view) {
   view_ = view;
@@ -60,7 +61,7 @@ void LevelMenu::resize(const View& view) {
   // there is room for.
   const std::size_t most_rows = most(grid_.h, view.px(least_height));
   columns_ = most(grid_.w, view.px(least_width));
-  std::size_t rows = most_rows;
+  rows_ = most_rows;
   float best = 0;
   for (std::size_t columns = columns_; columns > 0; --columns) {
     const std::size_t needed = (campaign_.levels.size() + columns - 1) / columns;
@@ -70,93 +71,70 @@ void LevelMenu::resize(const View& view) {
     if (picture <= best) continue;
     best = picture;
     columns_ = columns;
-    rows = needed;
+    rows_ = needed;
   }
-  per_page_ = columns_ * rows;
-  card_ = card(columns_, rows);
+  card_ = card(columns_, rows_);
   // All that fits, and no larger: the grid stands in the middle.
   const auto extent = [space](float size, std::size_t n) {
     return (size + space) * static_cast<float>(n) - space;
   };
-  grid_ = centered(grid_.center(), extent(card_.w, columns_), extent(card_.h, rows));
-  show_page(campaign_.current / per_page_);
+  grid_ = centered(grid_.center(), extent(card_.w, columns_), extent(card_.h, rows_));
+  show_page(campaign_.current / (columns_ * rows_));
 }
 
 void LevelMenu::show_page(std::size_t page) {
-  page_ = page;
-  const bool several = pages() > 1;
-  std::vector<std::string> labels(cards());
-  if (several) {
-    labels.push_back(words_(Text::previous_page));
-    labels.push_back(words_(Text::next_page));
-  }
-  labels.push_back(words_(campaign_.practice ? Text::practice_on : Text::practice_off));
-  labels.push_back(words_(Text::title_button));
-  const Buttons before = std::exchange(buttons_, Buttons(std::move(labels)));
-  buttons_.keep_focus(before, several ? 4 : 2);
-  buttons_.set_columns(columns_);
-  for (std::size_t i = 0; i < cards(); ++i) buttons_.explain(i, about(first() + i));
-  for (std::size_t i = cards(); i + 2 < buttons_.size(); ++i)
-    buttons_.explain(i, words_(Text::tip_page));
-  buttons_.explain(buttons_.size() - 2, words_(Text::tip_practice_levels));
-  buttons_.explain(buttons_.size() - 1, words_(Text::tip_title));
-
+  list_.show(page, campaign_.levels.size(), columns_ * rows_,
+             {{practice, words_(campaign_.practice ? Text::practice_on : Text::practice_off),
+               words_(Text::tip_practice_levels)},
+              {title, words_(Text::title_button), words_(Text::tip_title)}});
+  Buttons& buttons = list_.buttons;
+  buttons.set_columns(columns_);
   const float space = view_.px(gap);
-  for (std::size_t i = 0; i < cards(); ++i) {
+  for (std::size_t i = 0; i < list_.count(); ++i) {
+    buttons.explain(i, about(list_.first() + i));
     const std::size_t row = i / columns_;
     // A last row that is not full stands in the middle.
     const auto missing =
-        static_cast<float>(columns_ - std::min(columns_, cards() - row * columns_));
-    buttons_.place(
+        static_cast<float>(columns_ - std::min(columns_, list_.count() - row * columns_));
+    buttons.place(
         view_, i,
         {std::round(grid_.x + (static_cast<float>(i % columns_) + missing / 2) * (card_.w + space)),
          std::round(grid_.y + static_cast<float>(row) * (card_.h + space)), card_.w, card_.h});
   }
   Rect head = head_.inset(0, view_.px(4));
-  const float width = view_.px(button_width);
-  const std::size_t after = cards() + (several ? 2 : 0);
-  buttons_.place(view_, after + 1, head.cut_right(width));
+  buttons.place(view_, title, head.cut_right(view_.px(button_width)));
   head.cut_right(space);
-  buttons_.place(view_, after, head.cut_right(view_.px(practice_width)));
-  if (!several) return;
-  Rect foot = foot_;
-  Rect paging = view_.narrow() ? foot.cut_bottom(view_.button(40) + 2 * view_.px(2))
-                               : foot.cut_right(std::min(view_.px(380), foot.w));
-  foot_ = foot;
-  paging = paging.inset(0, view_.px(2));
-  buttons_.place(view_, cards(), paging.cut_left(width));
-  buttons_.place(view_, cards() + 1, paging.cut_right(width));
-  page_label_ = paging;
+  buttons.place(view_, practice, head.cut_right(view_.px(practice_width)));
+  foot_ = list_.place_pager(view_, foot_);
 }
 
 Transition LevelMenu::event(const Input& input) {
   if (is_key(input, Key::escape)) return Transition::title;
-  const auto chosen = buttons_.event(input);
+  const auto chosen = list_.buttons.event(input, sounds_);
   return chosen ? choose(*chosen) : Transition::stay;
 }
 
-Transition LevelMenu::choose(std::size_t button) {
+Transition LevelMenu::choose(ButtonId button) {
   told_.reset();
-  if (button < cards()) {
-    const std::size_t level = first() + button;
-    if (!campaign_.levels[level].scene) {
-      told_ = level;
-      return Transition::stay;
-    }
-    campaign_.current = level;
-    return Transition::level;
-  }
-  if (button + 1 == buttons_.size()) return Transition::title;
-  if (button + 2 == buttons_.size()) {
+  if (button == title) return Transition::title;
+  if (button == practice) {
     campaign_.practice = !campaign_.practice;
-    campaign_.current = first();
+    campaign_.current = list_.first();
     resize(view_);
     return Transition::stay;
   }
-  const std::size_t n = pages();
-  campaign_.current = (page_ + (button == cards() ? n - 1 : 1)) % n * per_page_;
-  resize(view_);
-  return Transition::stay;
+  if (const auto page = list_.page_of(button)) {
+    campaign_.current = *page * columns_ * rows_;
+    resize(view_);
+    return Transition::stay;
+  }
+  const std::size_t level = list_.first() + button;
+  if (!campaign_.levels[level].scene) {
+    told_ = level;
+    return Transition::stay;
+  }
+  campaign_.current = level;
+  return Transition::level;
 }
 
 /// What a card's tip says: what is to be done, or the whole of a broken level's error.
@@ -172,8 +150,8 @@ std::string LevelMenu::about(std::size_t index) const {
 /// What the line below says: of a card, a trouble, or what to do.
 std::string LevelMenu::notice() const {
   std::optional<std::size_t> level = told_;
-  for (std::size_t i = 0; i < cards(); ++i)
-    if (buttons_.hovered(i) || buttons_.focused(i)) level = first() + i;
+  for (std::size_t i = 0; i < list_.count(); ++i)
+    if (list_.buttons.hovered(i) || list_.buttons.focused(i)) level = list_.first() + i;
   if (level) return about(*level);
   if (campaign_.practice) return words_(Text::hint_practice_levels);
   switch (campaign_.best.trouble()) {
@@ -200,16 +178,8 @@ void LevelMenu::draw(Canvas& canvas) const {
   head.cut_right(canvas.px(practice_width + button_width + 2 * gap));
   label(canvas, heading_.w > 0 ? heading_ : head, {Face::black, 32, palette::cream},
         words_(Text::choose_level));
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    if (i < cards())
-      draw_card(canvas, i);
-    else
-      buttons_.draw_one(canvas, i, 18);
-  }
-  if (pages() > 1)
-    label(canvas, page_label_, {Face::bold, 16, palette::cream, Align::center},
-          words_(Text::page, {words_.number(static_cast<int>(page_) + 1),
-                              words_.number(static_cast<int>(pages()))}));
+  for (std::size_t i = 0; i < list_.count(); ++i) draw_card(canvas, i);
+  list_.draw(canvas);
   const TextStyle style{Face::regular, 18, palette::cream, Align::center};
   const std::string words = notice();
   const bool one_line = foot_.h < canvas.px(46) || label_width(canvas, style, words) <= foot_.w;
@@ -219,18 +189,19 @@ void LevelMenu::draw(Canvas& canvas) const {
     paragraph(canvas, foot_, style, words);
 }
 
-void LevelMenu::draw_card(Canvas& canvas, std::size_t button) const {
-  const std::size_t index = first() + button;
+void LevelMenu::draw_card(Canvas& canvas, ButtonId button) const {
+  const Buttons& buttons = list_.buttons;
+  const std::size_t index = list_.first() + button;
   const Level& level = campaign_.levels[index];
   const bool playable = level.scene.ok();
   DrawList& list = canvas.list;
   const std::size_t texts = list.boxes.size();
   const float radius = canvas.px(10);
-  Rect box = buttons_.box(button);
+  Rect box = buttons.box(button);
   fill_rounded(list, box.moved({0, canvas.px(3)}), radius, palette::shadow, canvas.px(6));
-  if (buttons_.pressed(button)) box = box.moved({0, canvas.px(1)});
+  if (buttons.pressed(button)) box = box.moved({0, canvas.px(1)});
   Color face = playable ? palette::panel : mix(palette::panel, palette::slate_bottom, 0.6f);
-  if (buttons_.hovered(button)) face = mix(face, palette::cream, 0.14f);
+  if (buttons.hovered(button)) face = mix(face, palette::cream, 0.14f);
   fill_rounded(list, box, radius, face);
 
   Rect rest = box.inset(canvas.px(8));
@@ -259,7 +230,7 @@ void LevelMenu::draw_card(Canvas& canvas, std::size_t button) const {
     label(canvas, words, {Face::regular, 16, best ? palette::brass_lit : palette::muted},
           best ? words_(Text::best, {words_.number(*best)}) : words_(Text::not_won_yet));
 
-  const bool focused = buttons_.focused(button);
+  const bool focused = buttons.focused(button);
   stroke_rounded(list, box.inset(0.5f), radius, focused ? canvas.px(3) : 1,
                  focused ? palette::cream
                  : best  ? palette::brass
@@ -267,7 +238,7 @@ void LevelMenu::draw_card(Canvas& canvas, std::size_t button) const {
   std::string all;
   for (std::size_t i = texts; i < list.boxes.size(); ++i)
     all += (all.empty() ? "" : "\n") + list.boxes[i].text;
-  buttons_.list_box(list, button, std::move(all));
+  buttons.list_box(list, button, std::move(all));
 }
 
 /// The level, small. A level of very many things shows the first of them.

@@ -24,7 +24,7 @@ LoadScreen::LoadScreen(const Words& words, Session& session)
     : words_(words),
       session_(session),
       kind_(session.to_continue),
-      buttons_({words(Text::cancel)}, 0) {
+      buttons_({{0, words(Text::cancel)}}, 0) {
   auto player = replay::Player::create(*session.kept.of(kind_));
   if (player) player_ = std::move(player).value();
 }
@@ -39,7 +39,7 @@ void LoadScreen::resize(const View& view) {
 }
 
 Transition LoadScreen::event(const Input& input) {
-  const bool cancelled = is_key(input, Key::escape) || buttons_.event(input);
+  const bool cancelled = is_key(input, Key::escape) || buttons_.event(input, session_.sounds);
   return cancelled ? Transition::title : Transition::stay;
 }
 

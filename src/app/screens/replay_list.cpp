@@ -21,17 +21,12 @@ constexpr float most_width = 900;
 }  // namespace
 
 ReplayList::ReplayList(const Words& words, Session& session)
-    : words_(words), session_(session), names_(session.saved.names()) {
+    : words_(words), session_(session), names_(session.saved.names()), list_(words) {
   // The last ones saved are what a player looks for.
-  page_ = names_.size();
-}
-
-std::size_t ReplayList::pages() const {
-  return std::max<std::size_t>((names_.size() + per_page_ - 1) / per_page_, 1);
+  first_ = names_.size();
 }
 
 void ReplayList::resize(const View& view) {
-  const std::size_t first = page_ * per_page_;
   names_ = session_.saved.names();  // the replay watched may have been saved
   view_ = view;
   Rect rest = view.area().inset(view.px(margin), view.px(4));
@@ -43,86 +38,63 @@ void ReplayList::resize(const View& view) {
   rows_ = rest;
   const float pitch = view.button(view.narrow() ? high_row : row_height) + view.px(row_gap);
   per_page_ = static_cast<std::size_t>(std::max((rows_.h + view.px(row_gap)) / pitch, 1.0f));
-  show_page(std::min(first / per_page_, pages() - 1));
+  show_page(first_ / per_page_);
 }
 
 void ReplayList::show_page(std::size_t page) {
-  page_ = page;
+  list_.show(page, names_.size(), per_page_,
+             {{paste, words_(Text::paste), words_(Text::tip_paste)},
+              {title, words_(Text::title_button), words_(Text::tip_title)}});
+  first_ = list_.first();
   entries_.clear();
-  std::vector<std::string> labels;
-  const std::size_t end = std::min((page + 1) * per_page_, names_.size());
-  for (std::size_t i = page * per_page_; i < end; ++i) {
-    auto read = session_.saved.load(names_[i]);
-    Entry& entry = entries_.emplace_back(Entry{names_[i], {}, {}});
+  Buttons& buttons = list_.buttons;
+  Rect rows = rows_;
+  for (std::size_t i = 0; i < list_.count(); ++i) {
+    const std::string& name = names_[first_ + i];
+    auto read = session_.saved.load(name);
+    Entry& entry = entries_.emplace_back(Entry{name, {}, {}});
     if (read)
       entry.replay = std::move(read).value();
     else
       entry.fault = fault_of(read.errors());
-    labels.emplace_back();
-  }
-  const bool several = pages() > 1;
-  if (several) {
-    labels.push_back(words_(Text::previous_page));
-    labels.push_back(words_(Text::next_page));
-  }
-  labels.push_back(words_(Text::paste));
-  labels.push_back(words_(Text::title_button));
-  const Buttons before = std::exchange(buttons_, Buttons(std::move(labels)));
-  buttons_.keep_focus(before, several ? 4 : 2);
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    buttons_.explain(i, entries_[i].replay ? words_(Text::tip_watch) : fault(entries_[i]));
-  for (std::size_t i = entries_.size(); i + 2 < buttons_.size(); ++i)
-    buttons_.explain(i, words_(Text::tip_page));
-  buttons_.explain(buttons_.size() - 2, words_(Text::tip_paste));
-  buttons_.explain(buttons_.size() - 1, words_(Text::tip_title));
-
-  Rect rows = rows_;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    buttons_.place(view_, i, rows.cut_top(view_.button(view_.narrow() ? high_row : row_height)));
+    buttons.explain(i, entry.replay ? words_(Text::tip_watch) : fault(entry));
+    buttons.place(view_, i, rows.cut_top(view_.button(view_.narrow() ? high_row : row_height)));
     rows.cut_top(view_.px(row_gap));
   }
   Rect head = head_.inset(0, view_.px(4));
   const float width = view_.px(button_width);
-  buttons_.place(view_, buttons_.size() - 1, head.cut_right(width));
+  buttons.place(view_, title, head.cut_right(width));
   head.cut_right(view_.px(row_gap));
-  buttons_.place(view_, buttons_.size() - 2, head.cut_right(width));
-  page_label_ = {};
-  if (!several) return;
-  Rect foot = foot_;
-  Rect paging = view_.narrow() ? foot.cut_bottom(view_.button(40) + 2 * view_.px(2))
-                               : foot.cut_right(std::min(view_.px(380), foot.w));
-  paging = paging.inset(0, view_.px(2));
-  buttons_.place(view_, entries_.size(), paging.cut_left(width));
-  buttons_.place(view_, entries_.size() + 1, paging.cut_right(width));
-  page_label_ = paging;
+  buttons.place(view_, paste, head.cut_right(width));
+  message_box_ = list_.place_pager(view_, foot_);
+  if (list_.pages() > 1 && !view_.narrow()) message_box_.cut_right(view_.px(row_gap));
 }
 
 Transition ReplayList::event(const Input& input) {
   if (is_key(input, Key::escape)) return Transition::title;
-  if (is_key(input, Key::paste)) return paste();
-  const auto chosen = buttons_.event(input);
+  if (is_key(input, Key::paste)) return take_pasted_replay();
+  const auto chosen = list_.buttons.event(input, session_.sounds);
   return chosen ? choose(*chosen) : Transition::stay;
 }
 
-Transition ReplayList::choose(std::size_t button) {
+Transition ReplayList::choose(ButtonId button) {
   message_.clear();
-  if (button < entries_.size()) {
-    const Entry& entry = entries_[button];
-    if (!entry.replay) {
-      message_ = fault(entry);
-      return Transition::stay;
-    }
-    session_.to_watch = entry.replay;
-    return Transition::replay;
+  if (button == title) return Transition::title;
+  if (button == paste) return take_pasted_replay();
+  if (const auto page = list_.page_of(button)) {
+    show_page(*page);
+    return Transition::stay;
   }
-  if (button + 1 == buttons_.size()) return Transition::title;
-  if (button + 2 == buttons_.size()) return paste();
-  const std::size_t n = pages();
-  show_page((page_ + (button == entries_.size() ? n - 1 : 1)) % n);
-  return Transition::stay;
+  const Entry& entry = entries_[button];
+  if (!entry.replay) {
+    message_ = fault(entry);
+    return Transition::stay;
+  }
+  session_.to_watch = entry.replay;
+  return Transition::replay;
 }
 
-Transition ReplayList::paste() {
+Transition ReplayList::take_pasted_replay() {
   const Pasted pasted = take_pasted(session_);
   if (pasted == Pasted::replay) return Transition::replay;
   if (pasted != Pasted::later)
@@ -163,40 +135,27 @@ void ReplayList::draw(Canvas& canvas) const {
   Rect head = head_;
   head.cut_right(canvas.px(2 * (button_width + row_gap)));
   label(canvas, head, {Face::black, 32, palette::cream}, words_(Text::saved_replays));
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    if (i < entries_.size())
-      draw_entry(canvas, i);
-    else
-      buttons_.draw_one(canvas, i, 18);
-  }
-  if (pages() > 1)
-    label(canvas, page_label_, {Face::bold, 16, palette::cream, Align::center},
-          words_(Text::page, {words_.number(static_cast<int>(page_) + 1),
-                              words_.number(static_cast<int>(pages()))}));
+  for (std::size_t i = 0; i < entries_.size(); ++i) draw_entry(canvas, i);
+  list_.draw(canvas);
   if (names_.empty())
     paragraph(canvas, rows_.inset(canvas.px(24), canvas.px(24)),
               {Face::regular, 20, palette::cream, Align::center}, words_(Text::no_replays));
-  Rect foot = foot_;
-  if (pages() > 1) {
-    if (view_.narrow())
-      foot.cut_bottom(view_.button(40) + 2 * canvas.px(2));
-    else
-      foot.cut_right(std::min(canvas.px(380), foot.w) + canvas.px(row_gap));
-  }
   const TextStyle style{Face::regular, 18,
                         message_.empty() ? palette::cream : canvas.list.palette->refused,
                         Align::center};
-  label(canvas, foot, style,
-        elided(canvas, style, message_.empty() ? words_(Text::hint_replays) : message_, foot.w));
+  label(canvas, message_box_, style,
+        elided(canvas, style, message_.empty() ? words_(Text::hint_replays) : message_,
+               message_box_.w));
 }
 
-void ReplayList::draw_entry(Canvas& canvas, std::size_t index) const {
+void ReplayList::draw_entry(Canvas& canvas, ButtonId index) const {
+  const Buttons& buttons = list_.buttons;
   const Entry& entry = entries_[index];
   DrawList& list = canvas.list;
-  buttons_.draw_one(canvas, index, 16);
+  buttons.draw_one(canvas, index, 16);
   list.boxes.pop_back();  // the button's comes last, and with all texts
   const std::size_t own = list.boxes.size();
-  Rect rest = buttons_.box(index).inset(canvas.px(14), 0);
+  Rect rest = buttons.box(index).inset(canvas.px(14), 0);
   const Color dim = rgb(0x9aa6ab);
   const TextStyle name{Face::bold, 18, entry.replay ? palette::brass_lit : dim};
   const bool narrow = canvas.view.narrow();
@@ -209,7 +168,7 @@ void ReplayList::draw_entry(Canvas& canvas, std::size_t index) const {
   std::string texts;
   for (std::size_t i = own; i < list.boxes.size(); ++i)
     texts += (texts.empty() ? "" : "\n") + list.boxes[i].text;
-  buttons_.list_box(list, index, std::move(texts));
+  buttons.list_box(list, index, std::move(texts));
 }
 
 std::string ReplayList::describe() const {

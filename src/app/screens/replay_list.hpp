@@ -6,8 +6,8 @@
 
 #include "app/play/session.hpp"
 #include "app/text/text.hpp"
+#include "app/widgets/paged_list.hpp"
 #include "app/widgets/screen.hpp"
-#include "app/widgets/widgets.hpp"
 
 namespace app {
 
@@ -31,28 +31,29 @@ class ReplayList final : public Screen {
     ReplayFault fault{};
   };
 
+  /// Beside the replays, an item of the list each.
+  enum Button : ButtonId { paste = PagedList::first_own, title };
+
   void show_page(std::size_t page);
-  std::size_t pages() const;
-  Transition choose(std::size_t button);
-  Transition paste();
+  Transition choose(ButtonId button);
+  Transition take_pasted_replay();
   std::string describe(const Entry& entry) const;
   std::string fault(const Entry& entry) const;
-  void draw_entry(Canvas& canvas, std::size_t index) const;
+  void draw_entry(Canvas& canvas, ButtonId index) const;
 
   Words words_;
   Session& session_;
   std::vector<std::string> names_;
   std::vector<Entry> entries_;  ///< of the page
-  /// The page's entries; then, if there are several pages, back and forward; then paste, title.
-  Buttons buttons_{{}};
+  PagedList list_;
   std::size_t per_page_ = 1;
-  std::size_t page_ = 0;
+  std::size_t first_ = 0;  ///< in names_, what the page begins with
   std::string message_;
   View view_;
   Rect head_;
   Rect rows_;
   Rect foot_;
-  Rect page_label_;
+  Rect message_box_;  ///< the foot beside what turns the pages
 };
 
 }  // namespace app

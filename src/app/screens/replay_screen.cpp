@@ -15,17 +15,7 @@
 namespace app {
 namespace {
 
-enum Button : std::size_t {
-  previous,
-  play,
-  one,
-  following,
-  slower,
-  faster,
-  keep,
-  copy_text,
-  close
-};
+enum Button : ButtonId { previous, play, one, following, slower, faster, keep, copy_text, close };
 
 struct NamedSpeed {
   Speed speed;
@@ -52,9 +42,15 @@ ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player 
       session_(session),
       player_(std::move(player)),
       speed_(first_speed),
-      buttons_({words(Text::previous_turn), words(Text::pause), words(Text::one_step),
-                words(Text::following_turn), words(Text::slower), words(Text::faster),
-                words(Text::save_replay), words(Text::copy), words(Text::close)}) {
+      buttons_({{previous, words(Text::previous_turn), words(Text::tip_previous_turn)},
+                {play, words(Text::pause), words(Text::tip_play)},
+                {one, words(Text::one_step), words(Text::tip_step)},
+                {following, words(Text::following_turn), words(Text::tip_following_turn)},
+                {slower, words(Text::slower), words(Text::tip_slower)},
+                {faster, words(Text::faster), words(Text::tip_faster)},
+                {keep, words(Text::save_replay), words(Text::tip_save)},
+                {copy_text, words(Text::copy), words(Text::tip_copy)},
+                {close, words(Text::close), words(Text::tip_close_replay)}}) {
   interpolator_.record(replay::world(player_.game()));
 }
 
@@ -161,11 +157,11 @@ Transition ReplayScreen::event(const Input& input) {
     }
   }
   if (is_command(input, Command::pause)) return press(play);
-  const auto chosen = buttons_.event(input);
+  const auto chosen = buttons_.event(input, session_.sounds);
   return chosen ? press(*chosen) : Transition::stay;
 }
 
-Transition ReplayScreen::press(std::size_t button) {
+Transition ReplayScreen::press(ButtonId button) {
   message_.clear();
   const std::size_t now = wanted_.value_or(player_.turn());
   const bool at_end = ended_ && !wanted_;

@@ -38,7 +38,7 @@ class ReplayScreen final : public Screen {
   void change_speed(int by);
   void save();
   void copy();
-  Transition press(std::size_t button);
+  Transition press(ButtonId button);
   std::size_t turn_at(Point at) const;
   std::uint64_t total_steps() const;
 

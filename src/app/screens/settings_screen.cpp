@@ -143,6 +143,7 @@ Transition SettingsScreen::event(const Input& input) {
   } else if (const auto* down = std::get_if<PointerPressed>(&input)) {
     if (down->button != PointerButton::left) return Transition::stay;
     hovered_ = pressed_ = find(down->at);
+    if (pressed_) session_.sounds.note({SoundKind::click});
     focus(pressed_ && player_of(setting_of(*pressed_)) ? pressed_ : std::nullopt);
   } else if (const auto* up = std::get_if<PointerReleased>(&input)) {
     const auto pressed = std::exchange(pressed_, std::nullopt);
@@ -205,8 +206,10 @@ Transition SettingsScreen::key(Key key) {
     case Key::enter:
       if (naming)
         focus(std::nullopt);
-      else if (focused_)
+      else if (focused_) {
+        session_.sounds.note({SoundKind::click});
         return press(*focused_, box_of(*focused_).center());
+      }
       break;
     default:
       break;

@@ -43,15 +43,16 @@ struct Poster {
 
 }  // namespace
 
-TitleScreen::TitleScreen(const Words& words, Session& session)
-    : words_(words), session_(session), buttons_({}) {
+TitleScreen::TitleScreen(const Words& words, Session& session) : words_(words), session_(session) {
   if (session.kept.of(Kind::billiards)) choices_.push_back(Choice::continue_billiards);
   if (session.kept.of(Kind::angry_balls)) choices_.push_back(Choice::continue_level);
   for (const Choice choice :
        {Choice::billiards, Choice::practice_table, Choice::angry_balls, Choice::replays,
         Choice::settings, session.host.can_quit ? Choice::quit : Choice::open_file})
     choices_.push_back(choice);
-  buttons_ = Buttons(std::vector<std::string>(choices_.size()), 0);
+  std::vector<Buttons::Button> buttons;
+  for (const Choice choice : choices_) buttons.push_back({id_of(choice)});
+  buttons_ = Buttons(std::move(buttons), id_of(choices_.front()));
   // Who plays on after scoring only playing it tells.
   if (const auto& kept = session.kept.of(Kind::billiards); kept && kept->options.keep_turn)
     if (auto player = replay::Player::create(*kept)) ahead_ = std::move(player).value();
@@ -175,19 +176,19 @@ void TitleScreen::resize(const View& view) {
     words.cut_top(step);
   };
   const float gap = view.px(8);
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    buttons_.relabel(i, label_of(choices_[i]));
-    buttons_.explain(i, words_(tip_of(choices_[i])));
-    const bool alone =
-        choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
-    const bool second = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
-                        choices_[i] == Choice::open_file || choices_[i] == Choice::quit;
+  for (const Choice choice : choices_) {
+    const ButtonId id = id_of(choice);
+    buttons_.relabel(id, label_of(choice));
+    buttons_.explain(id, words_(tip_of(choice)));
+    const bool alone = choice == Choice::continue_billiards || choice == Choice::continue_level;
+    const bool second = choice == Choice::practice_table || choice == Choice::replays ||
+                        choice == Choice::open_file || choice == Choice::quit;
     if (second) {
       row.cut_left(gap);
-      buttons_.place(view, i, row);
+      buttons_.place(view, id, row);
     } else {
       next_row();
-      buttons_.place(view, i, alone ? row : row.cut_left(row.w * 0.58f));
+      buttons_.place(view, id, alone ? row : row.cut_left(row.w * 0.58f));
     }
   }
 }
@@ -205,7 +206,7 @@ Transition TitleScreen::iterate(nanoseconds) {
 
 Transition TitleScreen::event(const Input& input) {
   if (question_) {
-    const auto chosen = question_->dialog.event(input);
+    const auto chosen = question_->dialog.event(input, session_.sounds);
     return chosen ? answer(*chosen) : Transition::stay;
   }
   if (is_key(input, Key::escape))
@@ -220,8 +221,8 @@ Transition TitleScreen::event(const Input& input) {
                                                   : Text::paste_damaged));
     return Transition::stay;
   }
-  const auto chosen = buttons_.event(input);
-  return chosen ? choose(choices_[*chosen]) : Transition::stay;
+  const auto chosen = buttons_.event(input, session_.sounds);
+  return chosen ? choose(static_cast<Choice>(*chosen)) : Transition::stay;
 }
 
 Transition TitleScreen::choose(Choice choice) {
@@ -233,17 +234,17 @@ Transition TitleScreen::choose(Choice choice) {
   const std::string line = table ? words_(Text::kept_billiards, {words_.number(kept.score[0]),
                                                                  words_.number(kept.score[1])})
                                  : kept_level();
-  question_ = Question{
-      Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
-             {{words_(Text::continue_game), words_(Text::tip_continue)},
-              {words_(table ? Text::new_game : Text::other_level), words_(Text::tip_give_up)},
-              {words_(Text::cancel), words_(Text::tip_close_help)}}),
-      choice};
+  question_ = Question{Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
+                              {{go_on, words_(Text::continue_game), words_(Text::tip_continue)},
+                               {give_up, words_(table ? Text::new_game : Text::other_level),
+                                words_(Text::tip_give_up)},
+                               {cancel, words_(Text::cancel), words_(Text::tip_close_help)}}),
+                       choice};
   question_->dialog.resize(view_);
   return Transition::stay;
 }
 
-Transition TitleScreen::answer(std::size_t button) {
+Transition TitleScreen::answer(ButtonId button) {
   const auto about = question_->about;
   question_.reset();
   if (!about) {
@@ -251,8 +252,8 @@ Transition TitleScreen::answer(std::size_t button) {
     return Transition::stay;
   }
   const bool table = *about == Choice::billiards;
-  if (button == 0) return proceed(table ? Choice::continue_billiards : Choice::continue_level);
-  if (button == 2) {
+  if (button == go_on) return proceed(table ? Choice::continue_billiards : Choice::continue_level);
+  if (button == cancel) {
     level_opened_ = false;
     return Transition::stay;
   }
@@ -299,7 +300,7 @@ void TitleScreen::tell_refused() {
       lines.push_back({words_(Text::settings_blocked), {}, {}});
     }
     question_ = Question{Dialog(words_(Text::settings_broken), std::move(lines),
-                                {{words_(Text::ok), words_(Text::tip_close_help)}}),
+                                {{cancel, words_(Text::ok), words_(Text::tip_close_help)}}),
                          {}};
     question_->dialog.resize(view_);
     return;
@@ -313,16 +314,18 @@ void TitleScreen::tell_refused() {
   } else {
     lines.push_back({words_(Text::kept_blocked), {}, {}});
   }
-  question_ = Question{Dialog(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
-                                                                      : Text::kept_refused_level),
-                              std::move(lines), {{words_(Text::ok), words_(Text::tip_close_help)}}),
-                       {}};
+  question_ =
+      Question{Dialog(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
+                                                              : Text::kept_refused_level),
+                      std::move(lines), {{cancel, words_(Text::ok), words_(Text::tip_close_help)}}),
+               {}};
   question_->dialog.resize(view_);
 }
 
 void TitleScreen::tell(const std::string& title, const std::string& line) {
   question_ = Question{
-      Dialog(title, {{line, {}, {}}}, {{words_(Text::ok), words_(Text::tip_close_help)}}), {}};
+      Dialog(title, {{line, {}, {}}}, {{cancel, words_(Text::ok), words_(Text::tip_close_help)}}),
+      {}};
   question_->dialog.resize(view_);
 }
 
@@ -369,13 +372,9 @@ void TitleScreen::draw(Canvas& canvas) const {
   label(canvas, tagline_,
         {Face::regular, tip.empty() ? 20.0f : 18.0f, palette::brass_lit, align_in(canvas.view)},
         tip.empty() ? words_(Text::tagline) : tip);
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    const bool half = choices_[i] == Choice::practice_table || choices_[i] == Choice::replays ||
-                      choices_[i] == Choice::settings || choices_[i] == Choice::open_file ||
-                      choices_[i] == Choice::quit;
-    const bool offers =
-        choices_[i] == Choice::continue_billiards || choices_[i] == Choice::continue_level;
-    buttons_.draw_one(canvas, i, half || offers ? 18 : 22);
+  for (const Choice choice : choices_) {
+    const bool large = choice == Choice::billiards || choice == Choice::angry_balls;
+    buttons_.draw_one(canvas, id_of(choice), large ? 22 : 18);
   }
   canvas.list.tip.reset();  // it stands below the name
   if (question_) question_->dialog.draw(canvas);

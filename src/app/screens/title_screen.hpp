@@ -46,9 +46,12 @@ class TitleScreen final : public Screen {
     std::optional<Choice> about;
   };
 
+  enum Answer : ButtonId { go_on, give_up, cancel };
+
+  static ButtonId id_of(Choice choice) { return static_cast<ButtonId>(choice); }
   static Text tip_of(Choice choice);
   Transition choose(Choice choice);
-  Transition answer(std::size_t button);
+  Transition answer(ButtonId button);
   Transition proceed(Choice choice);
   void tell_refused();
   void tell(const std::string& title, const std::string& line);

@@ -33,14 +33,10 @@ std::size_t rows_of(const Dialog::Line& line, float width) {
 
 }  // namespace
 
-Dialog::Dialog(std::string title, std::vector<Line> lines, const std::vector<Button>& buttons)
-    : title_(std::move(title)),
-      lines_(std::move(lines)),
-      buttons_(std::vector<std::string>(buttons.size()), 0) {
-  for (std::size_t i = 0; i < buttons.size(); ++i) {
-    buttons_.relabel(i, buttons[i].label);
-    buttons_.explain(i, buttons[i].tip);
-  }
+Dialog::Dialog(std::string title, std::vector<Line> lines, std::vector<Button> buttons)
+    : title_(std::move(title)), lines_(std::move(lines)) {
+  const ButtonId primary = buttons.front().id;
+  buttons_ = Buttons(std::move(buttons), primary);
 }
 
 void Dialog::resize(const View& view) {
@@ -49,9 +45,9 @@ void Dialog::resize(const View& view) {
   const float inner = (panel_width - view.px(2 * padding)) / view.scale;  // units
   std::size_t columns = buttons_.size() > 3 ? 2 : buttons_.size();
   // On a phone held upright long words stand below each other.
-  for (std::size_t i = 0; i < buttons_.size() && view.height > view.width; ++i) {
-    const float needed = letter_width * static_cast<float>(buttons_.label_of(i).size()) + 2 * gap;
-    if (needed * static_cast<float>(columns) > inner) columns = 1;
+  for (const Button& button : buttons_.all()) {
+    const float needed = letter_width * static_cast<float>(button.label.size()) + 2 * gap;
+    if (view.height > view.width && needed * static_cast<float>(columns) > inner) columns = 1;
   }
   const std::size_t rows = (buttons_.size() + columns - 1) / columns;
   buttons_.set_columns(columns);
@@ -71,19 +67,20 @@ void Dialog::resize(const View& view) {
   const float width =
       (area.w - space * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   Rect row;
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    if (i % columns == 0) {
+  std::size_t placed = 0;
+  for (const Button& button : buttons_.all()) {
+    if (placed++ % columns == 0) {
       row = area.cut_top(height);
       area.cut_top(space);
     }
-    buttons_.place(view, i, row.cut_left(width));
+    buttons_.place(view, button.id, row.cut_left(width));
     row.cut_left(space);
   }
 }
 
-std::optional<std::size_t> Dialog::event(const Input& input) {
-  if (is_key(input, Key::escape)) return buttons_.size() - 1;
-  return buttons_.event(input);
+std::optional<ButtonId> Dialog::event(const Input& input, Sounds& sounds) {
+  if (is_key(input, Key::escape)) return buttons_.all().back().id;
+  return buttons_.event(input, sounds);
 }
 
 void Dialog::draw(Canvas& canvas) const {

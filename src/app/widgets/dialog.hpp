@@ -20,16 +20,13 @@ class Dialog {
     std::optional<std::array<std::string, 2>> columns{};
     bool heads = false;  ///< of a row: the columns are the players' names
   };
-  struct Button {
-    std::string label;
-    std::string tip;
-  };
+  using Button = Buttons::Button;
   /// The first button is the primary one; Esc means the last.
-  Dialog(std::string title, std::vector<Line> lines, const std::vector<Button>& buttons);
+  Dialog(std::string title, std::vector<Line> lines, std::vector<Button> buttons);
 
   void resize(const View& view);
   /// The button chosen, if any.
-  std::optional<std::size_t> event(const Input& input);
+  std::optional<ButtonId> event(const Input& input, Sounds& sounds);
   void draw(Canvas& canvas) const;
   const std::string& title() const { return title_; }
 
