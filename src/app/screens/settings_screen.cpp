@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-using Setting = SettingsScreen::Setting;
+using Kind = SettingsRow::Kind;
 
 // Units.
 constexpr float most_width = 720;
@@ -21,35 +21,6 @@ constexpr float line_gap = 6;
 constexpr float hint_height = 64;
 constexpr float arrow_width = 44;
 constexpr float stacked_below = 500;  ///< narrower windows have no room for label and value
-
-constexpr int volume_step = 10;
-
-struct Page {
-  Text title;
-  std::array<Setting, 4> settings;
-  std::size_t count;
-};
-constexpr std::array<Page, 4> all_pages{{
-    {Text::tab_general, {Setting::language, Setting::volume, Setting::mute, Setting::hints}, 4},
-    {Text::tab_picture, {Setting::colours, Setting::motion, Setting::shake}, 3},
-    {Text::tab_aiming, {Setting::way, Setting::preview}, 2},
-    {Text::tab_players,
-     {Setting::first_name, Setting::second_name, Setting::breaks, Setting::keep_turn},
-     4},
-}};
-
-/// 0 or 1, if the setting is a player's name.
-std::optional<std::size_t> player_of(std::optional<Setting> setting) {
-  if (setting == Setting::first_name) return 0;
-  if (setting == Setting::second_name) return 1;
-  return std::nullopt;
-}
-
-/// The choice after or before, round and round.
-template <class Choice>
-void turn(Choice& choice, int count, int by) {
-  choice = static_cast<Choice>((static_cast<int>(choice) + count + by) % count);
-}
 
 /// A triangle that points to the left or right.
 void draw_arrow(DrawList& list, Point center, float size, bool right, Color color) {
@@ -76,13 +47,14 @@ void draw_ground(Canvas& canvas, const Rect& box, Color color, bool focused) {
 SettingsScreen::SettingsScreen(const Words& words, Session& session)
     : words_(words), session_(session) {}
 
-std::span<const Setting> SettingsScreen::lines() const {
-  return std::span(all_pages[page_].settings).first(all_pages[page_].count);
+const SettingsRow* SettingsScreen::row_of(Control control) const {
+  return control < pages || control >= help() ? nullptr : &rows()[control - pages];
 }
 
-std::optional<Setting> SettingsScreen::setting_of(Control control) const {
-  if (control < pages || control >= help()) return std::nullopt;
-  return lines()[control - pages];
+/// The row with the focus, if it is a name: that is what is typed.
+const SettingsRow* SettingsScreen::named() const {
+  const SettingsRow* row = focused_ ? row_of(*focused_) : nullptr;
+  return row && row->kind == Kind::name ? row : nullptr;
 }
 
 Rect SettingsScreen::box_of(Control control) const {
@@ -144,7 +116,8 @@ Transition SettingsScreen::event(const Input& input) {
     if (down->button != PointerButton::left) return Transition::stay;
     hovered_ = pressed_ = find(down->at);
     if (pressed_) session_.sounds.note({SoundKind::click});
-    focus(pressed_ && player_of(setting_of(*pressed_)) ? pressed_ : std::nullopt);
+    const SettingsRow* row = pressed_ ? row_of(*pressed_) : nullptr;
+    focus(row && row->kind == Kind::name ? pressed_ : std::nullopt);
   } else if (const auto* up = std::get_if<PointerReleased>(&input)) {
     const auto pressed = std::exchange(pressed_, std::nullopt);
     if (up->button == PointerButton::left && pressed && pressed == find(up->at))
@@ -162,8 +135,8 @@ Transition SettingsScreen::event(const Input& input) {
 }
 
 Transition SettingsScreen::key(Key key) {
-  const auto setting = focused_ ? setting_of(*focused_) : std::nullopt;
-  const bool naming = player_of(setting).has_value();
+  const SettingsRow* row = focused_ ? row_of(*focused_) : nullptr;
+  const bool naming = named() != nullptr;
   const auto step = [&](std::size_t by) {
     const std::size_t from = focused_.value_or(by == 1 ? controls() - 1 : 0);
     focus((from + by) % controls());
@@ -184,8 +157,8 @@ Transition SettingsScreen::key(Key key) {
     case Key::left:
     case Key::right: {
       const int by = key == Key::right ? 1 : -1;
-      if (setting) {
-        change(*setting, by);
+      if (row) {
+        change(*row, by);
       } else if (focused_ && *focused_ < pages) {
         show((*focused_ + pages + static_cast<std::size_t>(by)) % pages);
         focus(page_);
@@ -225,21 +198,20 @@ Transition SettingsScreen::press(Control control, Point at) {
     return Transition::stay;
   }
   Rect value = value_box(control);
-  change(*setting_of(control), value.cut_left(arrow_).contains(at) ? -1 : 1);
+  change(*row_of(control), value.cut_left(arrow_).contains(at) ? -1 : 1);
   return Transition::stay;
 }
 
 /// A name that was typed holds when its line is left.
 void SettingsScreen::focus(std::optional<Control> control) {
   if (control == focused_) return;
-  if (const auto left = player_of(focused_ ? setting_of(*focused_) : std::nullopt)) {
+  if (const SettingsRow* left = named()) {
     Settings settings = session_.settings.get();
-    settings.names[*left] = typed_;
+    settings.names[left->player] = typed_;
     set(std::move(settings));
   }
   focused_ = control;
-  if (const auto player = player_of(focused_ ? setting_of(*focused_) : std::nullopt))
-    typed_ = session_.settings.get().names[*player];
+  if (const SettingsRow* row = named()) typed_ = session_.settings.get().names[row->player];
 }
 
 void SettingsScreen::show(std::size_t page) {
@@ -248,56 +220,19 @@ void SettingsScreen::show(std::size_t page) {
 }
 
 /// `by`: 1 to the next value, -1 to the one before.
-void SettingsScreen::change(Setting setting, int by) {
+void SettingsScreen::change(const SettingsRow& row, int by) {
+  if (row.kind == Kind::name) return ask_name(row);
   Settings settings = session_.settings.get();
-  switch (setting) {
-    case Setting::language:
-      turn(settings.language, 3, by);
-      session_.asked_language.reset();
-      break;
-    case Setting::volume:
-      settings.volume = std::clamp(settings.volume + by * volume_step, 0, most_volume);
-      break;
-    case Setting::mute:
-      settings.mute = !settings.mute;
-      break;
-    case Setting::hints:
-      settings.hints = !settings.hints;
-      break;
-    case Setting::colours:
-      turn(settings.colours, 4, by);
-      break;
-    case Setting::motion:
-      turn(settings.reduced_motion, 3, by);
-      break;
-    case Setting::shake:
-      settings.screen_shake = !settings.screen_shake;
-      break;
-    case Setting::way:
-      turn(settings.aiming.way, 3, by);
-      break;
-    case Setting::preview:
-      turn(settings.aiming.preview, 4, by);
-      break;
-    case Setting::breaks:
-      turn(settings.breaks, 4, by);
-      break;
-    case Setting::keep_turn:
-      settings.keep_turn = !settings.keep_turn;
-      break;
-    case Setting::first_name:
-    case Setting::second_name:
-      ask_name(setting);
-      return;
-  }
+  row.set(settings, by);
+  if (settings.language != session_.settings.get().language) session_.asked_language.reset();
   set(std::move(settings));
 }
 
 /// A name is typed; a phone has no keys to do so.
-void SettingsScreen::ask_name(Setting setting) {
+void SettingsScreen::ask_name(const SettingsRow& row) {
   const auto& ask = session_.host.ask_text;
   if (words_.hand() != InputDevice::finger || !ask) return;
-  if (const auto name = ask(label_of(setting), typed_)) typed_ = name_of(*name, true);
+  if (const auto name = ask(row.label_in(words_), typed_)) typed_ = name_of(*name, true);
   focus(std::nullopt);
 }
 
@@ -309,81 +244,21 @@ void SettingsScreen::set(Settings settings) {
 }
 
 void SettingsScreen::type(std::string_view text) {
-  if (!focused_ || !player_of(setting_of(*focused_))) return;
-  typed_ = name_of(typed_ + std::string(text), true);
+  if (named()) typed_ = name_of(typed_ + std::string(text), true);
 }
 
-std::string SettingsScreen::label_of(Setting setting) const {
-  constexpr std::array labels{Text::set_language, Text::set_volume,  Text::set_mute,
-                              Text::set_hints,    Text::set_colours, Text::set_motion,
-                              Text::set_shake,    Text::set_way,     Text::set_preview,
-                              Text::set_name,     Text::set_name,    Text::set_breaks,
-                              Text::set_keep_turn};
-  const std::string number = words_.number(setting == Setting::second_name ? 2 : 1);
-  return words_(labels[static_cast<std::size_t>(setting)], {number});
-}
-
-std::string SettingsScreen::about(Setting setting) const {
-  constexpr std::array texts{Text::about_language, Text::about_volume,  Text::about_mute,
-                             Text::about_hints,    Text::about_colours, Text::about_motion,
-                             Text::about_shake,    Text::about_way,     Text::about_preview,
-                             Text::about_name,     Text::about_name,    Text::about_breaks,
-                             Text::about_keep_turn};
-  const std::string number = words_.number(setting == Setting::second_name ? 2 : 1);
-  return words_(texts[static_cast<std::size_t>(setting)], {number});
-}
-
-std::string SettingsScreen::value_of(Setting setting) const {
-  const Settings& now = session_.settings.get();
-  const auto one_of = [&](auto choice, auto... texts) {
-    return words_(std::array{texts...}[static_cast<std::size_t>(choice)]);
-  };
-  const auto yes_or_no = [&](bool yes) { return words_(yes ? Text::yes : Text::no); };
-  switch (setting) {
-    case Setting::language:
-      return one_of(now.language, Text::as_system, Text::english, Text::french);
-    case Setting::volume:
-      return words_(Text::per_cent, {words_.number(now.volume)});
-    case Setting::mute:
-      return yes_or_no(now.mute);
-    case Setting::hints:
-      return yes_or_no(now.hints);
-    case Setting::colours:
-      return one_of(now.colours, Text::colours_standard, Text::colours_red_green,
-                    Text::colours_blue_yellow, Text::colours_high_contrast);
-    case Setting::motion:
-      return one_of(now.reduced_motion, Text::as_system, Text::yes, Text::no);
-    case Setting::shake:
-      return yes_or_no(now.screen_shake);
-    case Setting::way:
-      return one_of(now.aiming.way, Text::way_clicks, Text::way_pull, Text::way_turn);
-    case Setting::preview:
-      return one_of(now.aiming.preview, Text::preview_off, Text::preview_contact,
-                    Text::preview_short, Text::preview_full);
-    case Setting::breaks:
-      if (now.breaks == Breaks::player_1 || now.breaks == Breaks::player_2)
-        return words_.player(now.breaks == Breaks::player_1 ? 0 : 1);
-      return words_(now.breaks == Breaks::alternate ? Text::breaks_alternate : Text::breaks_loser);
-    case Setting::keep_turn:
-      return yes_or_no(now.keep_turn);
-    case Setting::first_name:
-    case Setting::second_name: {
-      const std::size_t player = setting == Setting::first_name ? 0 : 1;
-      const bool typing = focused_ && setting_of(*focused_) == setting;
-      return typing ? typed_ : words_.player(static_cast<int>(player));
-    }
-  }
-  return {};
+std::string SettingsScreen::value_of(const SettingsRow& row) const {
+  return &row == named() ? typed_ : row.get(words_, session_.settings.get());
 }
 
 /// What a control is for; a page, what it has.
 std::string SettingsScreen::tip(Control control) const {
   if (control == close()) return words_(Text::tip_close_help);
   if (control == help()) return words_(Text::tip_help);
-  if (const auto setting = setting_of(control)) return about(*setting);
+  if (const SettingsRow* row = row_of(control)) return row->about_in(words_);
   std::string all;
-  for (std::size_t i = 0; i < all_pages[control].count; ++i)
-    all += (i == 0 ? "" : "\u00a0· ") + label_of(all_pages[control].settings[i]);
+  for (const SettingsRow& row : settings_page(control).rows)
+    all += (all.empty() ? "" : "\u00a0· ") + row.label_in(words_);
   return all;
 }
 
@@ -410,7 +285,7 @@ void SettingsScreen::draw(Canvas& canvas) const {
   draw_button(canvas, help(), Text::help);
   draw_button(canvas, close(), Text::close);
   for (std::size_t page = 0; page < pages; ++page) draw_page_button(canvas, page);
-  for (std::size_t i = 0; i < lines().size(); ++i) draw_line(canvas, pages + i);
+  for (std::size_t i = 0; i < rows().size(); ++i) draw_line(canvas, pages + i);
   paragraph(canvas, hint_, {Face::regular, 18, palette::muted, Align::center}, hint());
 }
 
@@ -428,19 +303,19 @@ void SettingsScreen::draw_page_button(Canvas& canvas, std::size_t page) const {
   const bool shown = page == page_;
   const Color plain = hovered_ == page ? palette::panel_edge : palette::panel;
   draw_ground(canvas, box, shown ? palette::brass : plain, focused_ == page);
-  const std::string text = words_(all_pages[page].title);
+  const std::string text = words_(settings_page(page).title);
   label(canvas, box.inset(canvas.px(4), 0),
         {Face::bold, 18, shown ? palette::ink : palette::cream, Align::center}, text);
   list_box(canvas.list, page, text);
 }
 
 void SettingsScreen::draw_line(Canvas& canvas, Control control) const {
-  const Setting setting = *setting_of(control);
+  const SettingsRow& row = *row_of(control);
   const Rect whole = box_of(control);
   const bool focused = focused_ == control;
   draw_ground(canvas, whole, hovered_ == control ? palette::panel_lit : palette::panel, focused);
-  const std::string name = label_of(setting);
-  const std::string value = value_of(setting);
+  const std::string name = row.label_in(words_);
+  const std::string value = value_of(row);
   Rect right = value_box(control);
   Rect left = whole.inset(canvas.px(12), 0);
   if (stacked_)
@@ -448,10 +323,10 @@ void SettingsScreen::draw_line(Canvas& canvas, Control control) const {
   else
     left.w = right.x - left.x;
   label(canvas, left, {Face::bold, 18, palette::cream}, name);
-  if (player_of(setting)) {
-    draw_name(canvas, right.inset(canvas.px(6), canvas.px(4)), setting, focused);
+  if (row.kind == Kind::name) {
+    draw_name(canvas, right.inset(canvas.px(6), canvas.px(4)), row, focused);
   } else {
-    const bool volume = setting == Setting::volume;
+    const bool volume = row.kind == Kind::amount;
     const int now = session_.settings.get().volume;
     for (const bool next : {false, true}) {
       const Rect side = next ? right.cut_right(arrow_) : right.cut_left(arrow_);
@@ -472,22 +347,17 @@ void SettingsScreen::draw_line(Canvas& canvas, Control control) const {
   list_box(canvas.list, control, name + '\n' + value);
 }
 
-bool SettingsScreen::typing() const {
-  const auto setting = focused_ ? setting_of(*focused_) : std::nullopt;
-  return setting && player_of(*setting);
-}
-
 /// A field to type in; the end of a name too long for it is what is shown.
-void SettingsScreen::draw_name(Canvas& canvas, const Rect& box, Setting setting,
+void SettingsScreen::draw_name(Canvas& canvas, const Rect& box, const SettingsRow& row,
                                bool focused) const {
   const float radius = canvas.px(6);
   fill_rounded(canvas.list, box, radius, focused ? palette::ink : palette::slate_bottom);
   stroke_rounded(canvas.list, box.inset(0.5f), radius, 1,
                  focused ? palette::brass_lit : palette::panel_edge);
-  const bool empty = session_.settings.get().names[*player_of(setting)].empty();
+  const bool empty = session_.settings.get().names[row.player].empty();
   const TextStyle style{Face::regular, 18, focused || !empty ? palette::brass_lit : palette::muted};
   const Rect inside = box.inset(canvas.px(10), 0);
-  const std::string value = value_of(setting);
+  const std::string value = value_of(row);
   std::string_view shown = value;
   if (!focused) {
     label(canvas, inside, style, elided(canvas, style, value, inside.w));
@@ -504,9 +374,9 @@ void SettingsScreen::draw_name(Canvas& canvas, const Rect& box, Setting setting,
 }
 
 std::string SettingsScreen::describe() const {
-  const auto setting = focused_ ? setting_of(*focused_) : std::nullopt;
+  const SettingsRow* row = focused_ ? row_of(*focused_) : nullptr;
   const std::string now =
-      setting ? label_of(*setting) + ": " + value_of(*setting) : words_(all_pages[page_].title);
+      row ? row->label_in(words_) + ": " + value_of(*row) : words_(settings_page(page_).title);
   return words_(Text::settings_state, {words_(Text::product), words_(Text::settings), now});
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/play/session.hpp"
+#include "app/screens/settings_rows.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/screen.hpp"
 
@@ -25,35 +26,20 @@ class SettingsScreen final : public Screen {
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override { return false; }
-  bool typing() const override;
-
-  enum class Setting : std::uint8_t {
-    language,
-    volume,
-    mute,
-    hints,
-    colours,
-    motion,
-    shake,
-    way,
-    preview,
-    first_name,
-    second_name,
-    breaks,
-    keep_turn,
-  };
+  bool typing() const override { return named() != nullptr; }
 
  private:
-  /// What can be clicked or have the focus, in that order: the pages, the lines, "Help", "Close".
+  /// What can be clicked or have the focus, in that order: the pages, the rows, "Help", "Close".
   using Control = std::size_t;
-  static constexpr std::size_t pages = 4;
-  static constexpr std::size_t most_lines = 4;
+  static constexpr std::size_t pages = settings_pages;
+  static constexpr std::size_t most_lines = most_settings_rows;
 
-  std::span<const Setting> lines() const;
-  Control help() const { return pages + lines().size(); }
+  std::span<const SettingsRow> rows() const { return settings_page(page_).rows; }
+  Control help() const { return pages + rows().size(); }
   Control close() const { return help() + 1; }
   std::size_t controls() const { return close() + 1; }
-  std::optional<Setting> setting_of(Control control) const;
+  const SettingsRow* row_of(Control control) const;
+  const SettingsRow* named() const;
   Rect box_of(Control control) const;
   Rect value_box(Control control) const;
   std::optional<Control> find(Point at) const;
@@ -62,21 +48,19 @@ class SettingsScreen final : public Screen {
   Transition press(Control control, Point at);
   void focus(std::optional<Control> control);
   void show(std::size_t page);
-  void change(Setting setting, int by);
-  void ask_name(Setting setting);
+  void change(const SettingsRow& row, int by);
+  void ask_name(const SettingsRow& row);
   void set(Settings settings);
   void type(std::string_view text);
 
-  std::string label_of(Setting setting) const;
-  std::string value_of(Setting setting) const;
-  std::string about(Setting setting) const;
+  std::string value_of(const SettingsRow& row) const;
   std::string tip(Control control) const;
   std::string hint() const;
   void list_box(DrawList& list, Control control, std::string text) const;
 
   void draw_page_button(Canvas& canvas, std::size_t page) const;
   void draw_line(Canvas& canvas, Control control) const;
-  void draw_name(Canvas& canvas, const Rect& box, Setting setting, bool focused) const;
+  void draw_name(Canvas& canvas, const Rect& box, const SettingsRow& row, bool focused) const;
   void draw_button(Canvas& canvas, Control control, Text text) const;
 
   Words words_;
