@@ -7,6 +7,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
 #include "app/screens/load_screen.hpp"
+#include "app/screens/timeline.hpp"
 #include "app/view/game_effects.hpp"
 #include "app/view/game_sounds.hpp"
 #include "app/view/level_view.hpp"
@@ -29,8 +30,6 @@ constexpr std::array<NamedSpeed, 7> speeds{{{slow_motion, "¼"},
                                             {{32}, "8"},
                                             {{64}, "16"}}};
 constexpr std::size_t first_speed = 2;
-
-constexpr float least_mark_width = 3;  ///< units: narrower ones would only be a grey bar
 
 /// Turn and status stand below the buttons, the players are not named.
 bool tight(const View& view) { return view.width < view.px(960); }
@@ -131,7 +130,7 @@ void ReplayScreen::resize(const View& view) {
 Transition ReplayScreen::event(const Input& input) {
   const auto* press_at = std::get_if<PointerPressed>(&input);
   if (press_at && press_at->button == PointerButton::left && timeline_.contains(press_at->at))
-    seek(turn_at(press_at->at));
+    seek(turn_at(timeline_, player_, press_at->at));
   if (const auto* key = std::get_if<KeyPressed>(&input)) {
     switch (key->key) {
       case Key::space:
@@ -284,21 +283,6 @@ void ReplayScreen::copy() {
   message_ = words_(copied ? Text::replay_copied : Text::replay_not_copied);
 }
 
-std::uint64_t ReplayScreen::total_steps() const {
-  const auto& turns = player_.turns();
-  return turns.empty() ? 0 : turns.back().first_step + turns.back().steps;
-}
-
-std::size_t ReplayScreen::turn_at(Point at) const {
-  const auto part = static_cast<double>((at.x - timeline_.x) / timeline_.w);
-  const double step = part * static_cast<double>(total_steps());
-  const auto& turns = player_.turns();
-  const auto after = std::ranges::upper_bound(turns, step, {}, [](const replay::Turn& turn) {
-    return static_cast<double>(turn.first_step);
-  });
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - turns.begin(), 1) - 1);
-}
-
 void ReplayScreen::draw(Canvas& canvas) const {
   draw_world(canvas);
   draw_top(canvas);
@@ -343,7 +327,7 @@ void ReplayScreen::draw_bottom(Canvas& canvas) const {
                Paint::vertical(bottom_, palette::slate_top, palette::slate_bottom));
   line(list, {bottom_.x, bottom_.y}, {bottom_.right(), bottom_.y}, canvas.px(1),
        palette::brass_dark);
-  draw_timeline(canvas);
+  draw_timeline(canvas, timeline_, bottom_, player_);
   buttons_.draw(canvas);
   label(canvas, speed_label_, {Face::bold, 20, palette::cream, Align::center},
         words_(Text::times, {speeds[speed_].name}));
@@ -353,54 +337,6 @@ void ReplayScreen::draw_bottom(Canvas& canvas) const {
                        Align::center};
   label(canvas, hint_, hint,
         elided(canvas, hint, message_.empty() ? words_(Text::hint_replay) : message_, hint_.w));
-}
-
-/// The whole game from left to right, a mark a turn.
-void ReplayScreen::draw_timeline(Canvas& canvas) const {
-  DrawList& list = canvas.list;
-  fill_rounded(list, timeline_, canvas.px(5), palette::panel);
-  const auto& turns = player_.turns();
-  const auto total = static_cast<float>(std::max<std::uint64_t>(total_steps(), 1));
-  const auto x_of = [&](std::uint64_t step) {
-    return timeline_.x + timeline_.w * static_cast<float>(step) / total;
-  };
-  const auto end_of = [&](std::size_t turn) {
-    return x_of(turns[turn].first_step + turns[turn].steps);
-  };
-  const bool table = !player_.replay().level;
-  const float least = canvas.px(least_mark_width);
-  for (std::size_t end = 0; end < turns.size();) {
-    const std::size_t first = end;
-    const float from = x_of(turns[first].first_step);
-    bool scored = false;
-    // Neighbours that would be too narrow to be told apart share a mark.
-    do {
-      scored = scored || (end < player_.reached_turns() && turns[end].points > 0);
-      ++end;
-    } while (end < turns.size() && end_of(end - 1) - from < least &&
-             end_of(end) - end_of(end - 1) < least);
-    const float to = end_of(end - 1);
-    const std::size_t last = end - 1;
-    const auto& wrong = player_.divergence();
-    const Color accent = wrong && last >= wrong->turn ? list.palette->refused
-                         : last > first               ? palette::muted
-                         : table
-                             ? list.palette->accents[static_cast<std::size_t>(turns[first].player)]
-                             : list.palette->accents[first % 2];
-    const Rect box{from, timeline_.y, std::max(to - from - 1, 1.0f), timeline_.h};
-    const float radius = std::min(canvas.px(3), box.w / 4);
-    fill_rounded(list, box, radius, faded(accent, last < player_.reached_turns() ? 0.55f : 0.2f));
-    // What brought points has a lit top.
-    if (scored) {
-      Rect lit = box;
-      fill_rounded(list, lit.cut_top(canvas.px(5)), radius, palette::brass_lit);
-    }
-  }
-  const float x = x_of(player_.steps());
-  const Rect hand = kept_inside(
-      centered({x, timeline_.center().y}, canvas.px(5), timeline_.h + canvas.px(6)), bottom_);
-  fill_rounded(list, hand, canvas.px(2.5f), palette::cream);
-  stroke_rounded(list, hand, canvas.px(2.5f), 1, palette::ink);
 }
 
 std::string ReplayScreen::title() const {

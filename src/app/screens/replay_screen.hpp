@@ -39,13 +39,10 @@ class ReplayScreen final : public Screen {
   void save();
   void copy();
   Transition press(ButtonId button);
-  std::size_t turn_at(Point at) const;
-  std::uint64_t total_steps() const;
 
   void draw_world(Canvas& canvas) const;
   void draw_top(Canvas& canvas) const;
   void draw_bottom(Canvas& canvas) const;
-  void draw_timeline(Canvas& canvas) const;
   std::string title() const;
   std::string score() const;
   std::string turn() const;

@@ -25,10 +25,6 @@ class TitleScreen final : public Screen {
   bool animating() const override { return ahead_.has_value(); }
 
  private:
-  void draw_background(Canvas& canvas) const;
-  void draw_art(Canvas& canvas) const;
-  void draw_wordmark(Canvas& canvas) const;
-
   enum class Choice : std::uint8_t {
     continue_billiards,
     continue_level,
