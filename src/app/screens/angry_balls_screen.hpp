@@ -1,109 +1,67 @@
 #pragma once
 
-#include <optional>
-#include <variant>
 #include <vector>
 
 #include "app/hud/level_bar.hpp"
-#include "app/hud/practice_strip.hpp"
-#include "app/play/foresight.hpp"
-#include "app/play/game_speed.hpp"
-#include "app/play/launcher.hpp"
-#include "app/play/played.hpp"
-#include "app/play/preview.hpp"
-#include "app/play/session.hpp"
-#include "app/text/text.hpp"
-#include "app/view/effects.hpp"
-#include "app/view/interpolator.hpp"
-#include "app/view/viewport.hpp"
-#include "app/widgets/dialog.hpp"
-#include "app/widgets/screen.hpp"
+#include "app/screens/next_offer.hpp"
+#include "app/screens/play_screen.hpp"
 #include "games/angry_balls.hpp"
 
 namespace app {
 
 /// The campaign's current level, from the first throw to the end; in practice throws can be taken
 /// back and nothing is kept.
-class AngryBallsScreen final : public Screen {
+class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextOffer> {
  public:
   /// The level must be one that can be played.
   AngryBallsScreen(const Words& words, Session& session);
   /// Goes on with a game of the campaign's current level.
   AngryBallsScreen(const Words& words, Session& session, LevelRecorder played);
 
-  void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds elapsed) override;
-  void draw(Canvas& canvas) const override;
-  std::string describe() const override;
-  std::optional<AimPrompt> aim_prompt() const override;
-  bool animating() const override;
-
-  const games::angry_balls::Game& game() const { return played_.game(); }
-  const Viewport& viewport() const { return viewport_; }
-  /// What is being aimed; null when nothing is.
-  const Aim* aimed() const { return aim_in(state_); }
-
  private:
-  // What the player is doing; it follows the game's phase.
-  struct WatchThrow {};
-  struct NextOffered {
-    Buttons prompt;
-  };
-  /// The world plays on for a moment, for show, before the window opens.
-  struct Over {
-    Dialog dialog;
-    carom::World epilogue;
-    nanoseconds wait{};
-  };
-  using State = std::variant<Launcher, WatchThrow, NextOffered, Over>;
+  Doing doing() const override;
+  bool moving() const override;
+  bool continues() const override;
+  carom::Vec2 first_drag() const override;
+  Over ending() override;
+  bool start_again() override { return played_.restart(); }
+  void announce_start() override;
+  void note(const Event& event) override { turn_points_ += event.points; }
+  void after_step() override;
+  void begin_launch() override { trace_.clear(); }
+  std::optional<Dialog> question_before(UserBar::Command command) const override;
+  Transition leave_to() const override { return Transition::levels; }
+  Transition next_game() override;
 
-  void follow_phase();
-  void place_parts();
-  void step();
-  void keep();
-  void show_anew();
-  void trace_projectile();
-  void announce_level();
-  Dialog result();
+  UserBar& bar() override { return bar_; }
+  const UserBar& bar() const override { return bar_; }
+  void resize_bar(const Rect& area) override { bar_.resize(view_, area); }
+  void draw_bar(Canvas& canvas) const override;
+  bool bar_is_last() const override;
+  void draw_ground(Canvas& canvas) const override;
+  void find_pointer() override { pointer_ = viewport().to_window(game().launch_place()); }
 
-  Transition obey(UserBar::Command command);
-  Transition finish(ButtonId button);
-  bool on_button() const;
-  Launcher::Stage stage() const;
-  const carom::World& shown_world() const;
-  bool moving() const;
+  Answer waiting_event(NextOffer& offer, const Input& input) override;
+  Buttons* waiting_buttons() override;
+  void place_waiting(NextOffer& offer) override;
+  void draw_waiting(Canvas& canvas, const NextOffer& offer, bool over_effects) const override;
+  std::string waiting_hint() const override;
+  Color waiting_color(const Palette& palette) const override { return palette.allowed; }
 
-  void draw_bars(Canvas& canvas) const;
-  void draw_trace(DrawList& list) const;
-  std::string hint() const;
-  Color hint_color(const Palette& palette) const;
+  AimHints aim_hints() const override {
+    return {Text::hint_take_projectile, Text::hint_not_projectile, Text::hint_throw};
+  }
+  Text watch_hint() const override { return Text::hint_flying; }
+  Color lead_color(const Palette& palette) const override { return palette.accents[0]; }
+  Rect effects_area(const Canvas& canvas) const override;
+  std::string now() const override;
+  std::string state_line(const std::string& now) const override;
+
   std::string title() const;
-  std::string next_label() const;
 
-  Words words_;
-  Session& session_;
   Campaign& campaign_;
-  Played<games::angry_balls::Game> played_;
-  State state_ = Launcher{};
-  std::optional<Dialog> question_;  ///< whether to leave
-  int turn_points_ = 0;
-
-  Clock clock_;
-  GameSpeed game_speed_;
-  Foresight<games::angry_balls::Game> foresight_;
-  Interpolator interpolator_;
-  Effects effects_;
-  mutable Previewer previewer_;     ///< remembers what draw() asked for
   std::vector<carom::Vec2> trace_;  ///< px, where the last throw went
-
   LevelBar bar_;
-  PracticeStrip strip_;
-  View view_;
-  GameLayout layout_;
-  Viewport viewport_;
-  Point pointer_;
-  bool touch_ = false;  ///< a finger was the pointer
 };
 
 }  // namespace app

@@ -1,29 +1,15 @@
 #pragma once
 
-#include <optional>
-#include <variant>
-
 #include "app/hud/billiards_bar.hpp"
-#include "app/hud/practice_strip.hpp"
-#include "app/play/foresight.hpp"
-#include "app/play/game_speed.hpp"
-#include "app/play/launcher.hpp"
-#include "app/play/played.hpp"
-#include "app/play/preview.hpp"
-#include "app/play/session.hpp"
-#include "app/text/text.hpp"
-#include "app/view/effects.hpp"
-#include "app/view/interpolator.hpp"
-#include "app/view/viewport.hpp"
-#include "app/widgets/dialog.hpp"
-#include "app/widgets/screen.hpp"
+#include "app/screens/place_ball.hpp"
+#include "app/screens/play_screen.hpp"
 #include "games/billiards.hpp"
 
 namespace app {
 
 /// A game of billiards for two, from the first shot to the end; or a table to practise on, where
 /// shots can be taken back and nothing is kept.
-class BilliardsScreen final : public Screen {
+class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBall> {
  public:
   enum class Mode : std::uint8_t { game, practice };
 
@@ -31,78 +17,47 @@ class BilliardsScreen final : public Screen {
   /// Goes on with a game.
   BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played);
 
-  void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds elapsed) override;
-  void draw(Canvas& canvas) const override;
-  std::string describe() const override;
-  std::optional<AimPrompt> aim_prompt() const override;
-  bool animating() const override;
-
-  const games::billiards::Game& game() const { return played_.game(); }
-  const Viewport& viewport() const { return viewport_; }
-  /// What is being aimed; null when nothing is.
-  const Aim* aimed() const { return aim_in(state_); }
-
  private:
-  // What the player is doing; it follows the game's phase.
-  struct WatchShot {};
-  struct PlaceBall {};
-  struct Over {
-    Dialog dialog;
-  };
-  using State = std::variant<Launcher, WatchShot, PlaceBall, Over>;
+  Doing doing() const override;
+  bool moving() const override { return game().phase() == games::billiards::Phase::roll; }
+  carom::Vec2 first_drag() const override;
+  Over ending() override;
+  bool start_again() override;
+  void announce_start() override { announce_turn({}); }
+  void note(const Event& event) override;
+  void begin_launch() override { shooter_ = game().player(); }
+  std::optional<Dialog> question_before(UserBar::Command command) const override;
+  Transition leave_to() const override { return Transition::title; }
 
-  /// Asks before a game is given up.
-  struct Question {
-    Dialog dialog;
-    UserBar::Command about;
-  };
+  UserBar& bar() override { return bar_; }
+  const UserBar& bar() const override { return bar_; }
+  void resize_bar(const Rect& area) override { bar_.resize(view_, area); }
+  void draw_bar(Canvas& canvas) const override;
+  void find_pointer() override;
 
-  void follow_phase();
-  void step();
-  void keep();
-  void show_anew();
-  void note(const games::billiards::Event& event, int shooter);
-  void announce_turn(int player, const std::string& detail);
-  Dialog result() const;
+  Answer waiting_event(PlaceBall& place, const Input& input) override;
+  void place_waiting(PlaceBall&) override { find_pointer(); }
+  void draw_waiting(Canvas& canvas, const PlaceBall& place, bool over_effects) const override;
+  std::optional<AimPrompt> waiting_prompt() const override;
+  std::string waiting_hint() const override { return PlaceBall::hint(words_, stage()); }
+  Color waiting_color(const Palette& palette) const override {
+    return PlaceBall::hint_color(palette, stage());
+  }
 
-  Transition obey(UserBar::Command command);
-  Transition request(UserBar::Command command);
-  Transition finish(ButtonId button);
-  void place(Point at);
-  bool steer_place(const Input& input);
-  void find_pointer();
-  bool on_button() const;
-  Launcher::Stage stage() const;
-  Rect table_area() const;
+  AimHints aim_hints() const override {
+    return {Text::hint_take_cue_ball, Text::hint_not_cue_ball, Text::hint_shoot};
+  }
+  Text watch_hint() const override { return Text::hint_watch; }
+  Color lead_color(const Palette& palette) const override;
+  Rect effects_area(const Canvas&) const override { return world_view_.box(); }
+  std::string now() const override;
+  std::string state_line(const std::string& now) const override;
 
-  void draw_cue_ball_in_hand(Canvas& canvas) const;
-  std::string hint() const;
-  Color hint_color(const Palette& palette) const;
-  BilliardsBar::Content bar_content() const;
-
-  Words words_;
-  Session& session_;
-  Played<games::billiards::Game> played_;
-  State state_ = Launcher{};
-  std::optional<Question> question_;
-
-  Clock clock_;
-  GameSpeed game_speed_;
-  Foresight<games::billiards::Game> foresight_;
-  Interpolator interpolator_;
-  Effects effects_;
-  mutable Previewer previewer_;  ///< remembers what draw() asked for
-  int turn_points_ = 0;          ///< of the turn that is shown; the game forgets them with the turn
+  void announce_turn(const std::string& detail);
+  PlaceBall::Stage stage() const;
 
   BilliardsBar bar_;
-  PracticeStrip strip_;
-  View view_;
-  GameLayout layout_;
-  Viewport viewport_;
-  Point pointer_;
-  bool touch_ = false;  ///< a finger was the pointer
+  int shooter_ = 0;  ///< whose turn it was when the balls began to roll
 };
 
 }  // namespace app

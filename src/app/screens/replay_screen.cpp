@@ -10,8 +10,6 @@
 #include "app/screens/timeline.hpp"
 #include "app/view/game_effects.hpp"
 #include "app/view/game_sounds.hpp"
-#include "app/view/level_view.hpp"
-#include "app/view/table_view.hpp"
 
 namespace app {
 namespace {
@@ -49,7 +47,9 @@ ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player 
                 {faster, words(Text::faster), words(Text::tip_faster)},
                 {keep, words(Text::save_replay), words(Text::tip_save)},
                 {copy_text, words(Text::copy), words(Text::tip_copy)},
-                {close, words(Text::close), words(Text::tip_close_replay)}}) {
+                {close, words(Text::close), words(Text::tip_close_replay)}}),
+      world_view_(player_.replay().level.value_or(replay::world(player_.game()).scene()),
+                  player_.replay().level.has_value()) {
   interpolator_.record(replay::world(player_.game()));
 }
 
@@ -65,7 +65,6 @@ void ReplayScreen::resize(const View& view) {
   const float height = view.button(40);
   top_ = rest.cut_top(height + view.px(narrow ? 60 : 24));
   bottom_ = rest.cut_bottom(height + view.px(tight(view) ? 98 : 84));
-  world_ = rest;
 
   const float width = view.px(narrow ? 760 : 1120);
   Rect top = centered(top_.center(), std::min(top_.w, width), top_.h).inset(view.px(8));
@@ -121,10 +120,8 @@ void ReplayScreen::resize(const View& view) {
   speed_label_ = next(widths[5]);
   buttons_.place(view, faster, next(widths[6]));
 
-  const carom::Scene& scene = replay::world(player_.game()).scene();
-  viewport_ = player_.replay().level ? level_viewport(world_, *player_.replay().level)
-                                     : table_viewport(world_.inset(view.px(6)), scene);
-  session_.sounds.turn(viewport_.turned());
+  world_view_.fit(rest, view.px(6));
+  session_.sounds.turn(world_view_.viewport().turned());
 }
 
 Transition ReplayScreen::event(const Input& input) {
@@ -292,23 +289,14 @@ void ReplayScreen::draw(Canvas& canvas) const {
 void ReplayScreen::draw_world(Canvas& canvas) const {
   DrawList& list = canvas.list;
   const std::size_t begin = list.vertices.size();
-  const carom::World& world = replay::world(player_.game());
-  const double fraction = playing_ ? clock_.fraction() : 1;
-  if (const auto& level = player_.replay().level) {
-    draw_level(list, world_, viewport_, *level);
-    list.stand_still();
-    effects_.draw_under_balls(list, viewport_);
-    if (!canvas.calm) draw_level_trails(list, viewport_, world, *level, interpolator_, fraction);
-    draw_level_balls(list, world_, viewport_, world, *level, interpolator_, fraction);
-  } else {
-    draw_table(list, canvas.view.area(), viewport_, world.scene());
-    list.stand_still();
-    effects_.draw_under_balls(list, viewport_);
-    if (!canvas.calm) draw_table_trails(list, viewport_, world, interpolator_, fraction);
-    draw_balls(list, viewport_, world, interpolator_, fraction);
-  }
-  if (canvas.shake) effects_.shake(list, begin, world_);
-  effects_.draw_over_balls(canvas, viewport_, world_.inset(canvas.px(4)));
+  const Viewport& viewport = world_view_.viewport();
+  world_view_.draw_still(canvas);
+  list.stand_still();
+  effects_.draw_under_balls(list, viewport);
+  world_view_.draw_moving(canvas, replay::world(player_.game()), interpolator_,
+                          playing_ ? clock_.fraction() : 1);
+  if (canvas.shake) effects_.shake(list, begin, world_view_.area());
+  effects_.draw_over_balls(canvas, viewport, world_view_.area().inset(canvas.px(4)));
 }
 
 void ReplayScreen::draw_top(Canvas& canvas) const {

@@ -8,7 +8,7 @@
 #include "app/text/text.hpp"
 #include "app/view/effects.hpp"
 #include "app/view/interpolator.hpp"
-#include "app/view/viewport.hpp"
+#include "app/view/world_view.hpp"
 #include "app/widgets/screen.hpp"
 #include "app/widgets/widgets.hpp"
 #include "replay/player.hpp"
@@ -66,7 +66,6 @@ class ReplayScreen final : public Screen {
   Buttons buttons_;
   View view_;
   Rect top_;
-  Rect world_;
   Rect bottom_;
   Rect timeline_;
   Rect name_;
@@ -75,7 +74,7 @@ class ReplayScreen final : public Screen {
   Rect status_;
   Rect speed_label_;
   Rect hint_;
-  Viewport viewport_;
+  WorldView world_view_;
 };
 
 }  // namespace app

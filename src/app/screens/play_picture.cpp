@@ -1,0 +1,89 @@
+// What PlayScreen shows and tells.
+
+#include "app/graphics/palette.hpp"
+#include "app/hud/aim_view.hpp"
+#include "app/screens/next_offer.hpp"
+#include "app/screens/place_ball.hpp"
+#include "app/screens/play_screen.hpp"
+
+namespace app {
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
+  DrawList& list = canvas.list;
+  const std::size_t begin = list.vertices.size();
+  world_view_.draw_still(canvas);
+  const bool bar_last = bar_is_last();
+  if (!bar_last) draw_bar(canvas);
+  list.stand_still();
+  draw_ground(canvas);
+  effects_.draw_under_balls(list, viewport());
+  world_view_.draw_moving(canvas, shown_world(), interpolator_, moving() ? clock_.fraction() : 1);
+  if (canvas.shake) effects_.shake(list, begin, layout_.world);
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  if (launcher) draw_launcher(canvas, *launcher);
+  const auto* waiting = std::get_if<Waiting>(&state_);
+  if (waiting) draw_waiting(canvas, *waiting, false);
+  effects_.draw_over_balls(canvas, viewport(), effects_area(canvas));
+  if (waiting) draw_waiting(canvas, *waiting, true);
+  game_speed_.draw_veil(canvas, layout_.world, words_);
+  if (bar_last) draw_bar(canvas);
+  if (played_.practice()) strip_.draw(canvas);
+  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr,
+              launcher && launcher->entry ? &*launcher->entry : nullptr, words_, hint(),
+              hint_color(*list.palette),
+              launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
+  const auto* over = std::get_if<Over>(&state_);
+  if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
+  if (question_) question_->dialog.draw(canvas);
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::draw_launcher(Canvas& canvas, const Launcher& launcher) const {
+  DrawList& list = canvas.list;
+  const carom::Ball lead = game().world().ball(0);
+  if (const auto to = launcher.pulled_to()) draw_sling(list, viewport(), lead, *to);
+  if (launcher.aim.active())
+    draw_aim(list, viewport(), game().world(), launcher.aim,
+             previewer_.of(game().world(), launcher.aim, session_.settings.get().aiming,
+                           played_.practice().has_value()));
+  else
+    draw_invitation(list, viewport(), lead, !touch_ && on_lead(lead, pointer_, viewport(), view_),
+                    lead_color(*list.palette));
+}
+
+template <class Game, class Waiting>
+std::string PlayScreen<Game, Waiting>::hint() const {
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  const bool watches = std::holds_alternative<Watching>(state_);
+  const bool idle = launcher ? !launcher->aim.active() && !launcher->missed() : watches;
+  if (const auto& practice = played_.practice(); practice && practice->plan.active() && idle)
+    return words_(Text::hint_repeat,
+                  {session_.keyboard.name(Command::again), practised(words_, practice->plan)});
+  if (launcher)
+    return words_(aim_hint(*launcher, session_.settings.get().aiming.way, touch_, aim_hints()));
+  if (watches)
+    return words_(watch_hint(),
+                  {session_.keyboard.name(Command::fast), session_.keyboard.name(Command::pause)});
+  return std::holds_alternative<Waiting>(state_) ? waiting_hint() : std::string();
+}
+
+template <class Game, class Waiting>
+Color PlayScreen<Game, Waiting>::hint_color(const Palette& palette) const {
+  if (const auto* launcher = std::get_if<Launcher>(&state_))
+    return launcher->missed() ? palette.refused : palette::cream;
+  return std::holds_alternative<Waiting>(state_) ? waiting_color(palette) : palette::muted;
+}
+
+template <class Game, class Waiting>
+std::string PlayScreen<Game, Waiting>::describe() const {
+  std::string line = question_ ? question_->dialog.title() : now();
+  if (game_speed_.paused()) line = words_(Text::paused_state, {line});
+  if (played_.practice()) line = words_(Text::practice_state, {line});
+  return state_line(line);
+}
+
+template class PlayScreen<games::billiards::Game, PlaceBall>;
+template class PlayScreen<games::angry_balls::Game, NextOffer>;
+
+}  // namespace app

@@ -1,0 +1,348 @@
+#include "app/screens/play_screen.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/hud/aim_view.hpp"
+#include "app/screens/next_offer.hpp"
+#include "app/screens/place_ball.hpp"
+#include "app/view/game_effects.hpp"
+
+namespace app {
+
+template <class Game, class Waiting>
+PlayScreen<Game, Waiting>::PlayScreen(const Words& words, Session& session, Recorder recorder,
+                                      WorldView world_view)
+    : words_(words),
+      session_(session),
+      played_(session, std::move(recorder)),
+      world_view_(std::move(world_view)),
+      strip_(words) {}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::begin() {
+  announce_start();
+  interpolator_.restart(game().world());
+  follow_phase();
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::resize(const View& view) {
+  const carom::Vec2 pointed = viewport().to_world(pointer_);
+  view_ = view;
+  layout_ = GameLayout::of(view);
+  if (played_.practice())
+    strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
+  resize_bar(layout_.bar);
+  world_view_.fit(layout_.world, view.px(8));
+  session_.sounds.turn(viewport().turned());
+  pointer_ = viewport().to_window(pointed);
+  find_pointer();
+  place_parts();
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::place_parts() {
+  if (question_) question_->dialog.resize(view_);
+  if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view_);
+  if (auto* waiting = std::get_if<Waiting>(&state_)) place_waiting(*waiting);
+}
+
+template <class Game, class Waiting>
+Transition PlayScreen<Game, Waiting>::event(const Input& input) {
+  if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
+  if (const auto* press = std::get_if<PointerPressed>(&input)) {
+    pointer_ = press->at;
+    touch_ = press->touch;
+  }
+  for (const auto part :
+       {&PlayScreen::change_speed, &PlayScreen::ask, &PlayScreen::aim,
+        static_cast<Answer (PlayScreen::*)(const Input&)>(&PlayScreen::practise), &PlayScreen::act,
+        &PlayScreen::move_focus, &PlayScreen::press_bar, &PlayScreen::command})
+    if (const Answer answer = (this->*part)(input)) return *answer;
+  return Transition::stay;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::change_speed(const Input& input) -> Answer {
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  const bool free =
+      !question_ && !std::holds_alternative<Over>(state_) && !(launcher && launcher->held());
+  const bool watches = std::holds_alternative<Watching>(state_) && !on_button();
+  return game_speed_.event(input, free, watches) ? Answer(Transition::stay) : std::nullopt;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::ask(const Input& input) -> Answer {
+  if (!question_) return std::nullopt;
+  // A key that is let go is so beneath a question, too.
+  if (auto* launcher = std::get_if<Launcher>(&state_);
+      launcher && std::holds_alternative<KeyReleased>(input))
+    launcher->event(input, stage());
+  const auto chosen = question_->dialog.event(input, session_.sounds);
+  if (!chosen) return Transition::stay;
+  const UserBar::Command about = question_->about;
+  question_.reset();
+  return *chosen == yes ? obey(about) : Transition::stay;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Answer {
+  auto* launcher = std::get_if<Launcher>(&state_);
+  if (!launcher) return std::nullopt;
+  const Launcher::Outcome outcome = launcher->event(input, stage());
+  if (outcome != Launcher::Outcome::untouched) {
+    blur();
+    // What is aimed is finite and not zero: the game takes it.
+    if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) follow_phase();
+    return Transition::stay;
+  }
+  // First what is held is let go.
+  return launcher->held() && is_press_of_key(input) ? Answer(Transition::stay) : std::nullopt;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::practise(const Input& input) -> Answer {
+  // At the end only these two: the others would change what is not seen, or move the focus.
+  if (!played_.practice() || (std::holds_alternative<Over>(state_) &&
+                              !is_key(input, Key::backspace) && !is_command(input, Command::again)))
+    return std::nullopt;
+  const auto chosen = strip_.event(input, session_.sounds);
+  if (!chosen) return std::nullopt;
+  practise(*chosen);
+  return Transition::stay;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::act(const Input& input) -> Answer {
+  if (auto* waiting = std::get_if<Waiting>(&state_)) return waiting_event(*waiting, input);
+  auto* over = std::get_if<Over>(&state_);
+  if (!over) return std::nullopt;
+  if (over->wait > nanoseconds{0}) return Transition::stay;
+  const auto chosen = over->dialog.event(input, session_.sounds);
+  return chosen ? finish(*chosen) : Transition::stay;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::move_focus(const Input& input) -> Answer {
+  const bool moved = Buttons::move_focus(
+      {&bar().buttons(), played_.practice() ? &strip_.buttons() : nullptr, waiting_buttons()},
+      input);
+  return moved ? Answer(Transition::stay) : std::nullopt;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::press_bar(const Input& input) -> Answer {
+  const auto pressed = bar().event(input, session_.sounds);
+  return pressed ? Answer(request(*pressed)) : std::nullopt;
+}
+
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::command(const Input& input) -> Answer {
+  if (is_key(input, Key::settings)) return request(UserBar::Command::settings);
+  if (is_key(input, Key::escape)) return request(UserBar::Command::close);
+  if (is_command(input, Command::again)) return request(UserBar::Command::restart);
+  return std::nullopt;
+}
+
+template <class Game, class Waiting>
+Transition PlayScreen<Game, Waiting>::request(UserBar::Command command) {
+  auto question = question_before(command);
+  if (!question) return obey(command);
+  question_ = Question{std::move(*question), command};
+  place_parts();
+  return Transition::stay;
+}
+
+template <class Game, class Waiting>
+Transition PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
+  switch (command) {
+    case UserBar::Command::settings:
+      return Transition::settings;
+    case UserBar::Command::close:
+      played_.forget();
+      return leave_to();
+    case UserBar::Command::restart:
+      break;
+  }
+  if (start_again()) {
+    game_speed_.new_game();
+    show_anew();
+    announce_start();
+  }
+  return Transition::stay;
+}
+
+template <class Game, class Waiting>
+Transition PlayScreen<Game, Waiting>::finish(ButtonId button) {
+  switch (static_cast<EndButton>(button)) {
+    case go_on:
+      return next_game();
+    case again:
+      return obey(UserBar::Command::restart);
+    case leave:
+      return obey(UserBar::Command::close);
+    case watch:
+      break;
+  }
+  if (played_.practice()) {
+    practise(TakeBack{});
+    return Transition::stay;
+  }
+  session_.to_watch = played_.recorder().replay();
+  return Transition::replay;
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::practise(const PracticeCommand& command) {
+  if (played_.practise(command, aim_in(state_))) show_anew();
+}
+
+/// The game has gone elsewhere: to its start, back, or back and on.
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::show_anew() {
+  effects_.clear();
+  begin_launch();
+  turn_points_ = 0;
+  follow_phase();
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::follow_phase() {
+  phase_ = game().phase();
+  if (!continues()) {
+    interpolator_.restart(game().world());
+    clock_.reset();
+    foresight_.end();
+  }
+  switch (doing()) {
+    case Doing::aim: {
+      Launcher launcher(first_drag());
+      if (const auto& practice = played_.practice(); practice && practice->ready())
+        launcher.show(practice->plan);
+      state_ = std::move(launcher);
+      break;
+    }
+    case Doing::watch:
+      turn_points_ = 0;
+      begin_launch();
+      state_ = Watching{};
+      if (!session_.calm()) foresight_.begin(game());
+      break;
+    case Doing::wait:
+      state_ = Waiting{};
+      break;
+    case Doing::over:
+      state_ = ending();
+      break;
+  }
+  place_parts();
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::keep() {
+  if (!played_.keep()) effects_.announce(words_(Text::not_kept), {}, {});
+}
+
+template <class Game, class Waiting>
+Transition PlayScreen<Game, Waiting>::iterate(nanoseconds elapsed) {
+  if (waits()) return Transition::stay;
+  const Speed speed = game_speed_.pass(elapsed);
+  effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
+  if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
+  if (!moving()) return Transition::stay;
+  // Slow motion does not hold the window up.
+  if (auto* over = std::get_if<Over>(&state_))
+    over->wait -= elapsed * std::max(speed.quarters, 4) / 4;
+  for (int due = clock_.advance(elapsed, speed); due > 0 && moving(); --due) step();
+  return Transition::stay;
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::step() {
+  interpolator_.record(shown_world());
+  if (auto* over = std::get_if<Over>(&state_)) {
+    if constexpr (requires { game().level(); })
+      show_balls(effects_, session_.sounds, over->epilogue->step(), game().level());
+    return;
+  }
+  played_.step();
+  if (foresight_.step()) game_speed_.decisive();
+  after_step();
+  happened();
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::happened() {
+  show_events(effects_, session_.sounds, game(), words_);
+  for (const auto& event : game().events()) note(event);
+  if (game().phase() == phase_) return;
+  follow_phase();
+  keep();
+}
+
+template <class Game, class Waiting>
+const carom::World& PlayScreen<Game, Waiting>::shown_world() const {
+  const auto* over = std::get_if<Over>(&state_);
+  return over && over->epilogue ? *over->epilogue : game().world();
+}
+
+template <class Game, class Waiting>
+bool PlayScreen<Game, Waiting>::on_button() const {
+  return bar().has_button_at(pointer_, touch_) ||
+         (played_.practice() && strip_.has_button_at(pointer_, touch_));
+}
+
+template <class Game, class Waiting>
+bool PlayScreen<Game, Waiting>::focus_elsewhere() const {
+  return bar().buttons().has_focus() || strip_.buttons().has_focus();
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::blur() {
+  bar().buttons().blur();
+  strip_.buttons().blur();
+}
+
+template <class Game, class Waiting>
+Launcher::Stage PlayScreen<Game, Waiting>::stage() const {
+  return {.lead = game().world().ball(0),
+          .viewport = viewport(),
+          .view = view_,
+          .world = layout_.world,
+          .meter = strength_meter(view_, layout_.footer),
+          .shoot = shoot_button(view_, layout_.footer),
+          .way = session_.settings.get().aiming.way,
+          .on_button = on_button(),
+          .focus_elsewhere = focus_elsewhere(),
+          .sounds = &session_.sounds};
+}
+
+template <class Game, class Waiting>
+std::vector<Dialog::Button> PlayScreen<Game, Waiting>::end_buttons() const {
+  const bool back = played_.practice().has_value();
+  return {{again, words_(Text::play_again), words_(Text::tip_restart)},
+          {watch, words_(back ? Text::take_back : Text::watch_replay),
+           words_(back ? Text::tip_take_back : Text::tip_watch)}};
+}
+
+template <class Game, class Waiting>
+std::optional<AimPrompt> PlayScreen<Game, Waiting>::aim_prompt() const {
+  if (waits()) return std::nullopt;
+  if (std::holds_alternative<Waiting>(state_)) return waiting_prompt();
+  if (!std::holds_alternative<Launcher>(state_)) return std::nullopt;
+  const carom::Ball lead = game().world().ball(0);
+  return AimPrompt{viewport().to_window(lead.position), viewport().px(lead.radius),
+                   nudge(session_.settings.get().aiming.way)};
+}
+
+template <class Game, class Waiting>
+bool PlayScreen<Game, Waiting>::animating() const {
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  return !waits() && (moving() || effects_.active() || (launcher && launcher->charging()));
+}
+
+template class PlayScreen<games::billiards::Game, PlaceBall>;
+template class PlayScreen<games::angry_balls::Game, NextOffer>;
+
+}  // namespace app

@@ -1,0 +1,183 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "app/hud/practice_strip.hpp"
+#include "app/hud/user_bar.hpp"
+#include "app/play/clock.hpp"
+#include "app/play/foresight.hpp"
+#include "app/play/game_speed.hpp"
+#include "app/play/launcher.hpp"
+#include "app/play/played.hpp"
+#include "app/play/preview.hpp"
+#include "app/play/session.hpp"
+#include "app/view/effects.hpp"
+#include "app/view/interpolator.hpp"
+#include "app/view/world_view.hpp"
+#include "app/widgets/dialog.hpp"
+#include "app/widgets/screen.hpp"
+
+namespace app {
+
+/// What the player does; it follows the game's phase. Aiming is a Launcher.
+struct Watching {};
+struct Over {
+  Dialog dialog;
+  /// The world plays on for a moment, for show, before the window opens. None: it opens at once.
+  std::optional<carom::World> epilogue{};
+  nanoseconds wait{};
+};
+
+/// A game that is played: what the games share. Input goes down a chain in which the first that
+/// answers wins: speed, question, aim, practice, what the player does, focus, bar, commands.
+///
+/// `Game` is games::billiards::Game or games::angry_balls::Game. `Waiting` is what the player does
+/// between launches that is the game's own: putting the cue ball down, or taking the next throw.
+template <class Game, class Waiting>
+class PlayScreen : public Screen {
+ public:
+  void resize(const View& view) final;
+  Transition event(const Input& input) final;
+  Transition iterate(nanoseconds elapsed) final;
+  void draw(Canvas& canvas) const final;
+  std::string describe() const final;
+  std::optional<AimPrompt> aim_prompt() const final;
+  bool animating() const final;
+
+  const Game& game() const { return played_.game(); }
+  const Viewport& viewport() const { return world_view_.viewport(); }
+  /// What is being aimed; null when nothing is.
+  const Aim* aimed() const { return aim_in(state_); }
+
+ protected:
+  using Recorder = typename Played<Game>::Recorder;
+  using Event = std::remove_cvref_t<decltype(std::declval<Game>().events().front())>;
+  using Answer = std::optional<Transition>;
+  enum class Doing : std::uint8_t { aim, watch, wait, over };
+  /// The end window's buttons.
+  enum EndButton : ButtonId { go_on, again, watch, leave };  // watch: in practice, take back
+
+  enum Reply : ButtonId { yes, no };
+
+  PlayScreen(const Words& words, Session& session, Recorder recorder, WorldView world_view);
+  /// The constructor's last step, when all of the game is there.
+  void begin();
+
+  // What is the game's own.
+  virtual Doing doing() const = 0;
+  /// Time makes steps of the game.
+  virtual bool moving() const = 0;
+  /// The picture goes on from the phase before: nothing was put anywhere by hand.
+  virtual bool continues() const { return false; }
+  virtual carom::Vec2 first_drag() const = 0;
+  virtual Over ending() = 0;
+  virtual bool start_again() = 0;
+  virtual void announce_start() = 0;
+  /// What the rules made of a step or command.
+  virtual void note(const Event& event) = 0;
+  virtual void after_step() {}
+  /// A launch begins, or the game is elsewhere: the last launch is not shown any more.
+  virtual void begin_launch() {}
+  /// What to ask before a command, if anything; its buttons are a Reply each.
+  virtual std::optional<Dialog> question_before(UserBar::Command command) const = 0;
+  /// Where the game is left to.
+  virtual Transition leave_to() const = 0;
+  virtual Transition next_game() { return leave_to(); }
+
+  virtual UserBar& bar() = 0;
+  virtual const UserBar& bar() const = 0;
+  virtual void resize_bar(const Rect& area) = 0;
+  virtual void draw_bar(Canvas& canvas) const = 0;
+  /// The bar is drawn over what leaves the world.
+  virtual bool bar_is_last() const { return false; }
+  virtual void draw_ground(Canvas&) const {}
+  /// Where the pointer is after a change of size.
+  virtual void find_pointer() = 0;
+
+  virtual Answer waiting_event(Waiting& waiting, const Input& input) = 0;
+  virtual Buttons* waiting_buttons() { return nullptr; }
+  virtual void place_waiting(Waiting&) {}
+  virtual void draw_waiting(Canvas&, const Waiting&, bool over_effects) const = 0;
+  virtual std::optional<AimPrompt> waiting_prompt() const { return std::nullopt; }
+  virtual std::string waiting_hint() const = 0;
+  virtual Color waiting_color(const Palette& palette) const = 0;
+
+  virtual AimHints aim_hints() const = 0;
+  virtual Text watch_hint() const = 0;
+  virtual Color lead_color(const Palette& palette) const = 0;
+  /// Where effects may be written, window px.
+  virtual Rect effects_area(const Canvas& canvas) const = 0;
+  /// What the player does, in words; and the whole line with it.
+  virtual std::string now() const = 0;
+  virtual std::string state_line(const std::string& now) const = 0;
+
+  // For the game's own part.
+  void follow_phase();
+  /// After a command was taken: shows what it did.
+  void happened();
+  void place_parts();
+  bool on_button() const;
+  /// A button of the bar or of the practice has the keyboard's focus.
+  bool focus_elsewhere() const;
+  void blur();
+  void keep();
+  std::string end_title() const { return std::get<Over>(state_).dialog.title(); }
+  /// Again, then the replay or in practice back by a shot.
+  std::vector<Dialog::Button> end_buttons() const;
+
+  Words words_;
+  Session& session_;
+  Played<Game> played_;
+  std::variant<Launcher, Watching, Waiting, Over> state_ = Launcher{};
+  Effects effects_;
+  int turn_points_ = 0;  ///< of the turn that is shown; the game forgets them with the turn
+  WorldView world_view_;
+  View view_;
+  GameLayout layout_;
+  Point pointer_;
+  bool touch_ = false;  ///< a finger was the pointer
+
+ private:
+  struct Question {
+    Dialog dialog;
+    UserBar::Command about;
+  };
+
+  // The chain.
+  Answer change_speed(const Input& input);
+  Answer ask(const Input& input);
+  Answer aim(const Input& input);
+  Answer practise(const Input& input);
+  Answer act(const Input& input);
+  Answer move_focus(const Input& input);
+  Answer press_bar(const Input& input);
+  Answer command(const Input& input);
+
+  Transition request(UserBar::Command command);
+  Transition obey(UserBar::Command command);
+  Transition finish(ButtonId button);
+  void practise(const PracticeCommand& command);
+  void show_anew();
+  void step();
+  bool waits() const { return question_ || game_speed_.paused(); }
+  const carom::World& shown_world() const;
+  Launcher::Stage stage() const;
+  void draw_launcher(Canvas& canvas, const Launcher& launcher) const;
+  std::string hint() const;
+  Color hint_color(const Palette& palette) const;
+
+  decltype(std::declval<Game>().phase()) phase_{};  ///< that state_ follows
+  std::optional<Question> question_;                ///< before something is given up
+  Clock clock_;
+  GameSpeed game_speed_;
+  Foresight<Game> foresight_;
+  Interpolator interpolator_;
+  mutable Previewer previewer_;  ///< remembers what draw() asked for
+  PracticeStrip strip_;
+};
+
+}  // namespace app
