@@ -137,6 +137,7 @@ Over AngryBallsScreen::ending() {
 
 AngryBallsScreen::Answer AngryBallsScreen::waiting_event(NextOffer& offer, const Input& input) {
   if (!offer.event(input, focus_elsewhere(), on_button(), session_.sounds)) return std::nullopt;
+  blur();
   if (played_.apply(angry_balls::Next{})) happened();
   return Transition::stay;
 }

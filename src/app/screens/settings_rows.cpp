@@ -109,7 +109,7 @@ constexpr std::array<SettingsPage, settings_pages> pages{{
     {Text::tab_aiming, aiming},
     {Text::tab_players, players},
 }};
-static_assert(std::ranges::all_of(pages, [](const SettingsPage& page) {
+static_assert(std::all_of(pages.begin(), pages.end(), [](const SettingsPage& page) {
   return page.rows.size() <= most_settings_rows;
 }));
 
