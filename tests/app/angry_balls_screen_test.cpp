@@ -38,7 +38,7 @@ class AngryBallsScreenTest : public testing::Test {
     start();
   }
   void start() {
-    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), session);
+    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::en), session);
     screen->resize(view);
   }
   app::Transition click(app::Point at, app::PointerButton button = app::PointerButton::left) {
@@ -161,7 +161,7 @@ TEST_F(AngryBallsScreenTest, LeftAloneForAnHourItStandsStillAndIsStillKept) {
   replay::Replay played = recorder.replay();
   played.moves.back().steps = replay::max_move_steps - 5;  // as if it had waited for so long
   const auto steps = recorder.game().world().steps();
-  screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), session,
+  screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::en), session,
                                                    app::LevelRecorder(recorder.game(), played));
   screen->resize(view);
   pass(30ms);
@@ -309,7 +309,7 @@ TEST_P(ShippedLevel, IsWonByClicks) {
       app::GameLayout::of(app::View::of(width, height)).world, level.scene.value());
   ASSERT_EQ(viewport.scale(), 1) << "the window does not show this level pixel by pixel";
 
-  Player game(app::Language::english, width, height);
+  Player game(app::Language::en, width, height);
   game.press("Angry Balls");
   ASSERT_TRUE(game.says("level menu"));
   game.press(level.name);

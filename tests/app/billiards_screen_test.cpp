@@ -60,7 +60,7 @@ class BilliardsScreenTest : public testing::Test {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};
-  app::BilliardsScreen screen{app::Words(app::Language::english), session};
+  app::BilliardsScreen screen{app::Words(app::Language::en), session};
 };
 
 TEST_F(BilliardsScreenTest, TwoClicksShoot) {
@@ -154,7 +154,7 @@ TEST_F(BilliardsScreenTest, TheCueBallInHandIsPlacedWhereItIsFree) {
 
 TEST_F(BilliardsScreenTest, TheSameShotWhateverTheFrameRate) {
   const auto hash_after = [&](std::chrono::nanoseconds frame) {
-    app::BilliardsScreen other{app::Words(app::Language::english), session};
+    app::BilliardsScreen other{app::Words(app::Language::en), session};
     other.resize(app::View::of(1280, 720));
     for (const app::Point at : {window(200, 200), window(560, 230)}) {
       other.event(app::PointerPressed{at});
@@ -224,7 +224,7 @@ TEST_F(BilliardsScreenTest, AWholeGameToTheEndAndAgain) {
   EXPECT_EQ(first.shots + second.shots, turns);
   for (const auto& tally : {first, second})
     for (const int count : {tally.balls, tally.best_turn, tally.shots, tally.fouls})
-      EXPECT_TRUE(shows(app::Words(app::Language::english).number(count)));
+      EXPECT_TRUE(shows(app::Words(app::Language::en).number(count)));
 
   app::Settings settings;
   settings.breaks = app::Breaks::alternate;

@@ -53,7 +53,7 @@ TEST(Keyboard, CallsKeysByWhatIsPrintedOnThem) {
 class KeysTest : public testing::Test {
  protected:
   void type(std::string_view text) { game.app().event(app::TextTyped{std::string(text)}); }
-  Player game{app::Language::english, 800, 600};
+  Player game{app::Language::en, 800, 600};
 };
 
 TEST_F(KeysTest, HelpIsThereAnywhereAndGoesByAnyOfItsWays) {
@@ -80,7 +80,7 @@ TEST_F(KeysTest, HelpIsThereAnywhereAndGoesByAnyOfItsWays) {
 
 TEST_F(KeysTest, HelpIsReadByKeysAlone) {
   for (const bool several : {false, true}) {
-    Player reader(app::Language::english, several ? 800 : 1280, several ? 600 : 720);
+    Player reader(app::Language::en, several ? 800 : 1280, several ? 600 : 720);
     reader.key(Key::help);
     EXPECT_EQ(reader.shows("Page 1"), several);
     if (several) {
@@ -152,13 +152,13 @@ TEST(KeptKeys, AreThereAtTheNextStart) {
     return game.shows("repeat: Q") ? 'q' : game.shows("repeat: R") ? 'r' : '?';
   };
   {
-    Player game(app::Language::english, 800, 600, {}, store);
+    Player game(app::Language::en, 800, 600, {}, store);
     ASSERT_EQ(again_on(game), 'r');
     EXPECT_FALSE(store.load(app::settings_file).value()) << "nothing is changed yet";
     game.press("Start again");
     game.key(Key::q);
   }
-  Player game(app::Language::english, 800, 600, {}, store);
+  Player game(app::Language::en, 800, 600, {}, store);
   game.app().settings().set(game.app().settings().get());
   EXPECT_EQ(again_on(game), 'q') << "and other settings leave it alone";
   game.key(Key::escape);
@@ -171,7 +171,7 @@ TEST(KeptKeys, AreThereAtTheNextStart) {
   game.key(Key::help);
   game.press("Keys…");
   game.press("Defaults");
-  Player last(app::Language::english, 800, 600, {}, store);
+  Player last(app::Language::en, 800, 600, {}, store);
   EXPECT_EQ(again_on(last), 'r');
 }
 
@@ -213,7 +213,7 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
 
   app::MemoryStore store;
   ASSERT_TRUE(store.save("replays/a.json", "{}"));
-  Player knows(app::Language::english, 800, 600, {}, store);
+  Player knows(app::Language::en, 800, 600, {}, store);
   knows.app().teach_beginners();
   knows.key(Key::enter);
   knows.pass(std::chrono::milliseconds{600});
@@ -224,7 +224,7 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
 TEST_F(KeysTest, TheLessonIsNotRepeatedAtTheNextStart) {
   app::MemoryStore store;
   for (const bool first : {true, false}) {
-    Player starts(app::Language::english, 800, 600, {}, store);
+    Player starts(app::Language::en, 800, 600, {}, store);
     starts.app().teach_beginners();
     starts.key(Key::enter);
     EXPECT_EQ(starts.shows("Pull it back"), first);

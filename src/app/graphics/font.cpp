@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "app/graphics/embedded.hpp"
+#include "app/base/embedded.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"

@@ -51,6 +51,14 @@ void turn(Choice& choice, int count, int by) {
   choice = static_cast<Choice>((static_cast<int>(choice) + count + by) % count);
 }
 
+/// The system's is before the first.
+std::optional<Language> language_beside(std::optional<Language> language, int by) {
+  constexpr int choices = 1 + static_cast<int>(language_codes.size());
+  int choice = language ? 1 + static_cast<int>(*language) : 0;
+  choice = (choice + choices + by) % choices;
+  return choice == 0 ? std::nullopt : std::optional(static_cast<Language>(choice - 1));
+}
+
 /// A triangle that points to the left or right.
 void draw_arrow(DrawList& list, Point center, float size, bool right, Color color) {
   const float way = right ? size : -size;
@@ -249,7 +257,7 @@ void SettingsScreen::change(Setting setting, int by) {
   Settings settings = session_.settings.get();
   switch (setting) {
     case Setting::language:
-      turn(settings.language, 3, by);
+      settings.language = language_beside(settings.language, by);
       session_.asked_language.reset();
       break;
     case Setting::volume:
@@ -338,7 +346,7 @@ std::string SettingsScreen::value_of(Setting setting) const {
   const auto yes_or_no = [&](bool yes) { return words_(yes ? Text::yes : Text::no); };
   switch (setting) {
     case Setting::language:
-      return one_of(now.language, Text::as_system, Text::english, Text::french);
+      return now.language ? std::string(name_of(*now.language)) : words_(Text::as_system);
     case Setting::volume:
       return words_(Text::per_cent, {words_.number(now.volume)});
     case Setting::mute:
@@ -502,8 +510,8 @@ void SettingsScreen::draw_name(Canvas& canvas, const Rect& box, Setting setting,
 
 std::string SettingsScreen::describe() const {
   const auto setting = focused_ ? setting_of(*focused_) : std::nullopt;
-  const std::string now =
-      setting ? label_of(*setting) + ": " + value_of(*setting) : words_(all_pages[page_].title);
+  const std::string now = setting ? words_(Text::key_line, {label_of(*setting), value_of(*setting)})
+                                  : words_(all_pages[page_].title);
   return words_(Text::settings_state, {words_(Text::product), words_(Text::settings), now});
 }
 

@@ -12,8 +12,8 @@ using json = nlohmann::ordered_json;
 constexpr const char* version_key = "angry-balls-settings";
 constexpr int version = 1;
 
+constexpr std::string_view system_language = "system";
 // The names of choices in a file, in the order of their enumerations.
-constexpr std::array<std::string_view, 3> languages{"system", "en", "fr"};
 constexpr std::array<std::string_view, 3> motions{"system", "on", "off"};
 constexpr std::array<std::string_view, 4> palettes{"standard", "red-green", "blue-yellow",
                                                    "high-contrast"};
@@ -29,6 +29,9 @@ struct Writer {
   void operator()(const char* key, int value) const { out[key] = value; }
   void operator()(const char* key, const std::array<std::string, 2>& value) const {
     out[key] = value;
+  }
+  void operator()(const char* key, std::optional<Language> value) const {
+    out[key] = value ? code_of(*value) : system_language;
   }
   void operator()(const char* key, const KeyBindings& value) const {
     out[key] = json::object();
@@ -51,6 +54,15 @@ struct Reader {
     if (found == in.end()) return nullptr;
     ++known;
     return &*found;
+  }
+  template <class Choice, std::size_t n>
+  void choose(const json& given, Choice& value, const std::array<std::string_view, n>& of) {
+    const auto* const name =
+        given.is_string() ? std::ranges::find(of, given.get_ref<const std::string&>()) : of.end();
+    if (name == of.end())
+      sound = false;
+    else
+      value = static_cast<Choice>(name - of.begin());
   }
   void operator()(const char* key, bool& value) {
     const json* const given = find(key);
@@ -78,6 +90,10 @@ struct Reader {
       sound = sound && value[i] == name_of(value[i]);
     }
   }
+  void operator()(const char* key, std::optional<Language>& value) {
+    const json* const given = find(key);
+    if (given && *given != system_language) choose(*given, value.emplace(), language_codes);
+  }
   void operator()(const char* key, KeyBindings& value) {
     const json* const given = find(key);
     if (!given) return;
@@ -94,21 +110,14 @@ struct Reader {
   }
   template <class Choice, std::size_t n>
   void operator()(const char* key, Choice& value, const std::array<std::string_view, n>& of) {
-    const json* const given = find(key);
-    if (!given) return;
-    const auto* const name =
-        given->is_string() ? std::ranges::find(of, given->get_ref<const std::string&>()) : of.end();
-    if (name == of.end())
-      sound = false;
-    else
-      value = static_cast<Choice>(name - of.begin());
+    if (const json* const given = find(key)) choose(*given, value, of);
   }
 };
 
 /// `Any`: Settings or const Settings.
 template <class Any, class Visit>
 void visit_all(Any& settings, Visit& visit) {
-  visit("language", settings.language, languages);
+  visit("language", settings.language);
   visit("volume", settings.volume);
   visit("mute", settings.mute);
   visit("reduced-motion", settings.reduced_motion, motions);
