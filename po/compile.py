@@ -73,7 +73,9 @@ def main():
             kind = "levels" if context == po_files.LEVELS else "texts"
             kinds["page" if context.startswith(po_files.PAGE) else kind].append((context, english))
     in_table = kinds["texts"] + kinds["levels"]
-    version = hashlib.sha256(repr(in_table).encode()).hexdigest()[:16]
+    # Of what a place in the table means; a text may be worded anew.
+    meanings = [context for context, _ in kinds["texts"]] + [name for _, name in kinds["levels"]]
+    version = hashlib.sha256(repr(meanings).encode()).hexdigest()[:16]
 
     languages, page = {}, {}
     files = {"en": po_files.TEMPLATE, **po_files.translations()}
@@ -87,7 +89,7 @@ def main():
 
         table = ["\x1f".join(texts(key)) for key in in_table]
         name = next(key for key in in_table if key[0] == "language_name")
-        languages[code] = texts(name)[0]
+        languages[code] = texts(name)[0] or code
         whole = [version, plural_forms(entries), *table]
         write(folder / f"{code}.texts", "".join(text + "\0" for text in whole))
         page[code] = {

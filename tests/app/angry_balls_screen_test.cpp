@@ -106,7 +106,7 @@ TEST_F(AngryBallsScreenTest, TwoClicksThrowExactly) {
 
 TEST_F(AngryBallsScreenTest, OnlyAClickOnTheProjectileTakesIt) {
   click(launch() + app::Point{200, -200});
-  EXPECT_TRUE(shows("Not there"));
+  EXPECT_TRUE(shows("Click the angry ball first."));
   click(launch() + app::Point{300, -200});
   EXPECT_EQ(screen->game().phase(), Phase::aim);
 }
@@ -201,7 +201,7 @@ TEST_F(AngryBallsScreenTest, LostAfterThreeThrows) {
   EXPECT_TRUE(shows("Enemies left: 2"));
   EXPECT_FALSE(shows("Next level"));
   EXPECT_FALSE(campaign.best.of("00000000000000aa"));
-  press("Play again");
+  press("Restart");
   EXPECT_EQ(screen->game().phase(), Phase::aim);
   EXPECT_EQ(screen->game().throws_left(), 3);
 }
@@ -216,7 +216,7 @@ TEST_F(AngryBallsScreenTest, WonAsSoonAsNoEnemyIsLeft) {
   EXPECT_TRUE(shows("300"));
   EXPECT_TRUE(shows("A new best score!"));
   while (screen->animating()) screen->iterate(10ms);
-  press("Play again");
+  press("Restart");
   win();
   EXPECT_TRUE(shows("Best: 300"));
   EXPECT_EQ(press("Next level"), app::Transition::level);
@@ -262,7 +262,7 @@ TEST_F(AngryBallsScreenTest, RestartStartsTheLevelAgain) {
   EXPECT_EQ(screen->game().throws_left(), 3);
   EXPECT_EQ(screen->game().world().steps(), 0u);
   throw_by(20, 10);
-  press("Try again");
+  press("Restart");
   EXPECT_EQ(screen->game().throws_left(), 3);
 }
 

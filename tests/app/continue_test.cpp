@@ -263,7 +263,7 @@ TEST(Continue, ADiskThatCannotBeWrittenIsTold) {
   Start game(store);
   first_shot(game);
   game.pass(500ms);
-  EXPECT_TRUE(game.shows("This game cannot be kept"));
+  EXPECT_TRUE(game.shows("This game cannot be saved"));
 }
 
 // Twenty ways in which a file can be wrong.
@@ -359,7 +359,7 @@ TEST(BrokenSaves, WhatCannotBeMovedAwayIsNeverOverwritten) {
   } store;
   ASSERT_TRUE(store.save(table_file, "{"));
   Start game(store);
-  EXPECT_TRUE(game.shows("New games cannot be kept."));
+  EXPECT_TRUE(game.shows("New games cannot be saved."));
   game.press("OK");
   first_shot(game);
   EXPECT_EQ(stored(store, table_file), "{");

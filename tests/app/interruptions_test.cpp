@@ -145,7 +145,7 @@ TEST_F(Interruptions, AChargeEndsWithItsKeyUnderAQuestion) {
   game.key(Key::space);
   EXPECT_TRUE(game.app().animating());
   game.press("Restart");
-  ASSERT_TRUE(game.says("Start again?"));
+  ASSERT_TRUE(game.says("Restart?"));
   key_up(Key::space);
   game.press("Keep playing");
   game.pass(3s);

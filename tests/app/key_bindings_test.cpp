@@ -117,7 +117,7 @@ TEST_F(KeysTest, ACommandIsPutOnAnotherLetter) {
   game.key(Key::help);
   game.press("Keys…");
   EXPECT_TRUE(game.says("Keys"));
-  game.press("Start again");
+  game.press("Restart, ");
   EXPECT_TRUE(game.shows("press a letter"));
   game.key(Key::tab);
   EXPECT_TRUE(game.shows("Only letters"));
@@ -135,7 +135,7 @@ TEST_F(KeysTest, ACommandIsPutOnAnotherLetter) {
   game.key(Key::r);
   EXPECT_TRUE(game.says("watches")) << "R does nothing any more";
   game.key(Key::q);
-  EXPECT_TRUE(game.says("Start again?"));
+  EXPECT_TRUE(game.says("Restart?"));
   game.key(Key::escape);
 
   game.key(Key::help);
@@ -155,7 +155,7 @@ TEST(KeptKeys, AreThereAtTheNextStart) {
     Player game(app::Language::en, 800, 600, {}, store);
     ASSERT_EQ(again_on(game), 'r');
     EXPECT_FALSE(store.load(app::settings_file).value()) << "nothing is changed yet";
-    game.press("Start again");
+    game.press("Restart, ");
     game.key(Key::q);
   }
   Player game(app::Language::en, 800, 600, {}, store);
@@ -166,7 +166,7 @@ TEST(KeptKeys, AreThereAtTheNextStart) {
   for (int i = 0; i < 3; ++i) game.key(Key::enter);
   game.pass(std::chrono::milliseconds{100});
   game.key(Key::q);
-  EXPECT_TRUE(game.says("Start again?"));
+  EXPECT_TRUE(game.says("Restart?"));
   game.key(Key::escape);
   game.key(Key::help);
   game.press("Keys…");

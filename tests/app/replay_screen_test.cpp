@@ -234,7 +234,7 @@ TEST(Replays, ArePastedOnTitleAndList) {
          {std::string(), std::string("hello"), replay_file("level-06-won.txt").substr(0, 60)}) {
       ASSERT_TRUE(game.clipboard().set_text(wrong));
       game.key(Key::paste);
-      EXPECT_TRUE(game.shows("What was pasted is not a whole replay."));
+      EXPECT_TRUE(game.shows("The text is not a complete replay."));
       if (!list) game.press("OK");
     }
     for (const char* name : {"level-06-won.txt", "billiards-whole.json"}) {

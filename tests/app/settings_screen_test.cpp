@@ -232,8 +232,8 @@ TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
     game.press("Language");
     game.press("Language");
     game.key(Key::escape);
-    for (const char* label : level ? std::array{"Réessayer", "Menu", "Réglages"}
-                                   : std::array{"Rejouer", "Fermer", "Répéter"})
+    for (const char* label : level ? std::array{"Recommencer", "Menu", "Réglages"}
+                                   : std::array{"Recommencer", "Fermer", "Répéter"})
       EXPECT_TRUE(game.shows(label)) << label;
     game.key(Key::settings);
     game.press("Langue");
@@ -291,7 +291,7 @@ TEST(SettingsScreen, BrokenSettingsAreToldOnceAndSetAside) {
   app::MemoryStore store;
   ASSERT_TRUE(store.save("settings.json", "{"));
   Start game(store);
-  EXPECT_TRUE(game.says("Settings: starting afresh")) << game.title();
+  EXPECT_TRUE(game.says("Settings: back to defaults")) << game.title();
   EXPECT_TRUE(game.shows("settings.json.broken"));
   EXPECT_EQ(store.load("settings.json.broken").value(), "{");
   game.key(Key::enter);

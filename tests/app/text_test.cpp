@@ -149,11 +149,11 @@ TEST(Words, EveryTextInEveryLanguageForEveryHand) {
 
 TEST(Words, TellWhatTheHandDoes) {
   Words words(Language::en);
-  EXPECT_EQ(words(Text::hint_shoot), "Click where to send it. Esc or right click: take it back.");
+  EXPECT_EQ(words(Text::hint_shoot), "Click where to send it. Esc or right click: cancel.");
   EXPECT_EQ(words(Text::next_throw, {"N"}), "Next throw (N)");
   const Words copy = words;
   words.take_hand(InputDevice::finger);
-  EXPECT_EQ(copy(Text::hint_shoot), "Tap where to send it. Two fingers: take it back.");
+  EXPECT_EQ(copy(Text::hint_shoot), "Tap where to send it. Two fingers: cancel.");
   EXPECT_EQ(copy(Text::next_throw, {"N"}), "Next throw");
   EXPECT_EQ(copy(Text::way_clicks), "Two taps");
   words.speak(Language::fr);
