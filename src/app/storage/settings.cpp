@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/base/utf8.hpp"
+
 namespace app {
 namespace {
 
@@ -154,27 +156,9 @@ std::optional<Settings> parse(const std::string& text) {
   return settings;
 }
 
-/// How many bytes of `utf8` are its first code point, which is whole and can be shown; 0 if not.
-std::size_t printable_size(std::string_view utf8) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
-  const unsigned lead = byte(0);
-  const std::size_t size = lead < 0x80   ? 1
-                           : lead < 0xc2 ? 0
-                           : lead < 0xe0 ? 2
-                           : lead < 0xf0 ? 3
-                           : lead < 0xf5 ? 4
-                                         : 0;
-  if (size == 0 || size > utf8.size()) return 0;
-  if (size == 1) return lead < 0x20 || lead == 0x7f ? 0 : 1;
-  unsigned code = lead & (0xffU >> (size + 1));
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3fU);
-  }
-  constexpr std::array<unsigned, 5> least{0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xd800 && code < 0xe000;
-  const bool control = code < 0xa0 || code == 0x2028 || code == 0x2029;
-  return code < least[size] || code > 0x10ffff || surrogate || control ? 0 : size;
+/// Whether it can be shown within a line.
+bool printable(char32_t code) {
+  return code >= 0x20 && (code < 0x7f || code >= 0xa0) && code != 0x2028 && code != 0x2029;
 }
 
 }  // namespace
@@ -183,10 +167,10 @@ std::string name_of(std::string_view typed, bool unfinished) {
   std::string name;
   std::size_t count = 0;
   while (!typed.empty() && count < longest_name) {
-    const std::size_t size = printable_size(typed);
-    const std::string_view point = typed.substr(0, std::max<std::size_t>(size, 1));
+    const CodePoint first = first_code_point(typed);
+    const std::string_view point = typed.substr(0, std::max<std::size_t>(first.size, 1));
     typed.remove_prefix(point.size());
-    if (size == 0 || (name.empty() && point == " ")) continue;
+    if (first.size == 0 || !printable(first.code) || (name.empty() && point == " ")) continue;
     name += point;
     ++count;
   }
