@@ -14,7 +14,9 @@ def main():
     folder.mkdir(parents=True)
     contents = {file.name: file.read_bytes() for file in files}
     size = str(len(contents["game.wasm"])).encode()
-    contents["page.js"] = contents["page.js"].replace(b"/*WASM_BYTES*/ 0", size)
+    texts = contents.pop("page.json")
+    script = contents["page.js"].replace(b"/*WASM_BYTES*/ 0", size)
+    contents["page.js"] = script.replace(b"/*TEXTS*/ { en: {} }", texts)
     version = hashlib.sha256()
     for name in sorted(contents):
         version.update(f"{name} {len(contents[name])} ".encode() + contents[name])

@@ -8,15 +8,23 @@ export NODE_PATH=/usr/share/nodejs # Debian's em++ finds its own modules by this
 
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
+copy_headers() {
+  mkdir -p "$folder/include" "$folder/share/cmake"
+  # With their times, so that nothing is compiled anew.
+  for library in nlohmann CLI stb utf8cpp; do cp -a "/usr/include/$library" "$folder/include"; done
+  cp -a /usr/share/cmake/nlohmann_json /usr/share/cmake/CLI11 "$folder/share/cmake"
+}
+
 done_mark=$folder/done-6 # a new number whenever this script builds something else
-[ ! -e "$done_mark" ] || exit 0
+[ ! -e "$done_mark" ] || {
+  copy_headers
+  exit 0
+}
 work=$folder/work
 rm -rf "${folder:?}"/*
-mkdir -p "$work/parts" "$work/lists/partial" "$work/cache/archives/partial" "$folder/include" \
-  "$folder/lib" "$folder/share/cmake"
+mkdir -p "$work/parts" "$work/lists/partial" "$work/cache/archives/partial" "$folder/lib"
 
-cp -r /usr/include/nlohmann /usr/include/CLI /usr/include/stb "$folder/include"
-cp -r /usr/share/cmake/nlohmann_json /usr/share/cmake/CLI11 "$folder/share/cmake"
+copy_headers
 
 # The machine's own sources of Debian, asked for source packages, in a folder of ours.
 . /etc/os-release

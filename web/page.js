@@ -1,18 +1,19 @@
 "use strict";
 // The page around the game: loads it with a progress bar, and passes on what only a page can do.
 
-const french = (navigator.language || "").toLowerCase().startsWith("fr");
-const say = (english, inFrench) => (french ? inFrench : english);
+// Put here when the page is assembled: the texts that start with "page:" in po/, by language.
+const texts = /*TEXTS*/ { en: {} };
+// As the game chooses: "pt_BR" before "pt", English if there is neither.
+const [wholeCode] = (navigator.language || "").replace("-", "_").split(".");
+const language = [wholeCode, wholeCode.split("_")[0]].find((code) => texts[code]) || "en";
+const say = (name, value) => texts[language][name].replace("{0}", () => value);
 const part = (id) => document.getElementById(id);
 const canvas = part("canvas");
 
-document.documentElement.lang = french ? "fr" : "en";
-part("keys").textContent = say(
-  "Tab and Enter reach every button. Escape, then Tab leaves the game.",
-  "Tab et Entrée atteignent chaque bouton. Échap, puis Tab quitte le jeu.");
-part("progress").setAttribute("aria-label", say("Loading", "Chargement"));
-part("file").setAttribute("aria-label",
-  say("Open a level or a replay", "Ouvrir un niveau ou une partie"));
+document.documentElement.lang = language.replace("_", "-");
+part("keys").textContent = say("keys");
+part("progress").setAttribute("aria-label", say("loading"));
+part("file").setAttribute("aria-label", say("open_file"));
 
 function fail(message) {
   part("loading").hidden = true;
@@ -41,7 +42,7 @@ const largestFile = 16 << 20; // bytes; the game says itself what else it refuse
 async function openFiles(files) {
   for (const file of files) {
     if (file.size > largestFile) {
-      toast(say(`${file.name} is too large.`, `${file.name} est trop grand.`));
+      toast(say("too_large", file.name));
       continue;
     }
     const name = utf8(file.name.replace(/\0/g, ""));
@@ -81,13 +82,11 @@ var Module = {
   canvas,
   print: (text) => console.log(text),
   printErr: (text) => console.warn(text),
-  onAbort: () => fail(say("The game has stopped. Reload the page to go on; your game is kept.",
-    "Le jeu s’est arrêté. Rechargez la page pour continuer ; la partie est gardée.")),
+  onAbort: () => fail(say("stopped")),
 
   instantiateWasm(imports, receive) {
-    load(imports).then(receive, (error) => fail(say(
-      `The game cannot be loaded (${error.message}). Try again when you are online.`,
-      `Le jeu ne peut pas être chargé (${error.message}). Réessayez une fois en ligne.`)));
+    load(imports).then(receive, (error) => 
+      fail(say("not_loaded_because", error.message)));
     return {};
   },
 
@@ -101,7 +100,7 @@ var Module = {
   },
 
   copy(text) {
-    const failed = () => toast(say("Copy this: ", "À copier : ") + text);
+    const failed = () => toast(say("copy_this", text));
     if (!navigator.clipboard) failed();
     else navigator.clipboard.writeText(text).catch(failed);
   },
@@ -110,8 +109,8 @@ var Module = {
     // A finger has no Ctrl+V. Later: the game is still asking.
     const failed = () => setTimeout(() => {
       if (!matchMedia("(pointer: coarse)").matches)
-        return toast(say("Press Ctrl+V to paste.", "Collez avec Ctrl+V."));
-      const text = prompt(say("Paste the replay here:", "Collez la partie ici :"));
+        return toast(say("press_to_paste"));
+      const text = prompt(say("paste_here"));
       if (text) give("web_paste", utf8(text));
     });
     if (!navigator.clipboard || !navigator.clipboard.readText) failed();
@@ -202,16 +201,11 @@ function missing() {
 
 const lacking = missing();
 if (lacking) {
-  fail(say(
-    `This browser has no ${lacking}, which the game needs. Turn on hardware acceleration in its ` +
-    "settings, or use a current Firefox, Chrome, Edge or Safari.",
-    `Ce navigateur n’a pas ${lacking}, nécessaire au jeu. Activez l’accélération matérielle dans ses ` +
-    "réglages, ou prenez une version actuelle de Firefox, Chrome, Edge ou Safari."));
+  fail(say("lacking", lacking));
 } else {
   const script = document.createElement("script");
   script.src = "game.js";
-  script.onerror = () => fail(say("The game cannot be loaded. Try again when you are online.",
-    "Le jeu ne peut pas être chargé. Réessayez une fois en ligne."));
+  script.onerror = () => fail(say("not_loaded"));
   document.body.append(script);
   if ("serviceWorker" in navigator)
     navigator.serviceWorker.register("worker.js").catch(() => { /* then not offline */ });

@@ -12,7 +12,7 @@ foreach(input IN LISTS INPUTS)
   string(APPEND entries "  {\"${name}\", bytes_${number}},\n")
   math(EXPR number "${number} + 1")
 endforeach()
-file(WRITE "${OUTPUT}" "#include \"app/graphics/embedded.hpp\"\n
+file(WRITE "${OUTPUT}" "#include \"app/base/embedded.hpp\"\n
 namespace {
 ${arrays}
 constexpr app::Embedded files[] = {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <string_view>
+#include <utf8cpp/utf8/core.h>
 #include <utility>
 
 #include "carom/internal/scene_fields.hpp"
-#include "json/json.hpp"
 #include "json/number_text.hpp"
 
 namespace carom {
@@ -22,12 +22,6 @@ std::string number_text(double number) {
   else
     append_number(text, number);
   return text;
-}
-
-bool is_utf8(const std::string& text) {
-  using Json = nlohmann::json;
-  const std::string valid_part = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
-  return Json::parse(valid_part) == text;
 }
 
 class Checker {
@@ -62,7 +56,7 @@ class Checker {
       report_({.pointer = "/name",
                .problem = "is " + std::to_string(bytes) + " bytes long",
                .expected = expectation(field)});
-    else if (!is_utf8(scene_.name))
+    else if (!utf8::is_valid(scene_.name.begin(), scene_.name.end()))
       report_({.pointer = "/name", .problem = "is not in UTF-8", .expected = expectation(field)});
   }
 

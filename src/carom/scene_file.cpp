@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <utf8cpp/utf8/core.h>
 #include <utility>
 
 #include "carom/internal/scene_check.hpp"
@@ -33,12 +34,9 @@ constexpr std::string_view any_value =
 
 std::string shortened(std::string_view text) {
   if (text.size() <= max_quoted) return std::string(text);
-  const auto within_character = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-  };
-  std::size_t end = max_quoted;
-  while (end > 0 && within_character(text[end])) --end;
-  return std::string(text.substr(0, end)) + "…";
+  // Not within a character.
+  const char* const end = utf8::find_invalid(text.data(), text.data() + max_quoted);
+  return std::string(text.data(), end) + "…";
 }
 
 std::string hex(unsigned char byte) {

@@ -180,10 +180,10 @@ int main(int argc, char** argv) {
          "--size", [&](const std::string& text) { options.size = parse_size(text); },
          "Size of the window, px (default 1280x720)")
       ->type_name("WxH");
-  cli.add_option("--lang", options.language,
-                 "Language: en or fr (default: the settings', the environment's)")
-      ->check(CLI::IsMember({"en", "fr"}))
-      ->type_name("en|fr");
+  const std::vector<std::string> languages(app::language_codes.begin(), app::language_codes.end());
+  cli.add_option("--lang", options.language, "Language (default: the settings', the environment's)")
+      ->check(CLI::IsMember(languages))
+      ->type_name(CLI::detail::join(languages, "|"));
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

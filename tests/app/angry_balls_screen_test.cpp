@@ -38,7 +38,7 @@ class AngryBallsScreenTest : public testing::Test {
     start();
   }
   void start() {
-    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), session);
+    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::en), session);
     screen->resize(view);
   }
   app::Transition click(app::Point at, app::PointerButton button = app::PointerButton::left) {
@@ -108,7 +108,7 @@ TEST_F(AngryBallsScreenTest, TwoClicksThrowExactly) {
 
 TEST_F(AngryBallsScreenTest, OnlyAClickOnTheProjectileTakesIt) {
   click(launch() + app::Point{200, -200});
-  EXPECT_TRUE(shows("Not there"));
+  EXPECT_TRUE(shows("Click the angry ball first."));
   click(launch() + app::Point{300, -200});
   EXPECT_EQ(screen->game().phase(), Phase::aim);
 }
@@ -163,7 +163,7 @@ TEST_F(AngryBallsScreenTest, LeftAloneForAnHourItStandsStillAndIsStillKept) {
   replay::Replay played = recorder.replay();
   played.moves.back().steps = replay::max_move_steps - 5;  // as if it had waited for so long
   const auto steps = recorder.game().world().steps();
-  screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::english), session,
+  screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::en), session,
                                                    app::LevelRecorder(recorder.game(), played));
   screen->resize(view);
   pass(30ms);
@@ -203,7 +203,7 @@ TEST_F(AngryBallsScreenTest, LostAfterThreeThrows) {
   EXPECT_TRUE(shows("Enemies left: 2"));
   EXPECT_FALSE(shows("Next level"));
   EXPECT_FALSE(campaign.best.of("00000000000000aa"));
-  press("Play again");
+  press("Restart");
   EXPECT_EQ(screen->game().phase(), Phase::aim);
   EXPECT_EQ(screen->game().throws_left(), 3);
 }
@@ -218,7 +218,7 @@ TEST_F(AngryBallsScreenTest, WonAsSoonAsNoEnemyIsLeft) {
   EXPECT_TRUE(shows("300"));
   EXPECT_TRUE(shows("A new best score!"));
   while (screen->animating()) screen->iterate(10ms);
-  press("Play again");
+  press("Restart");
   win();
   EXPECT_TRUE(shows("Best: 300"));
   EXPECT_EQ(press("Next level"), app::Transition::level);
@@ -264,7 +264,7 @@ TEST_F(AngryBallsScreenTest, RestartStartsTheLevelAgain) {
   EXPECT_EQ(screen->game().throws_left(), 3);
   EXPECT_EQ(screen->game().world().steps(), 0u);
   throw_by(20, 10);
-  press("Try again");
+  press("Restart");
   EXPECT_EQ(screen->game().throws_left(), 3);
 }
 
@@ -311,7 +311,7 @@ TEST_P(ShippedLevel, IsWonByClicks) {
       app::GameLayout::of(app::View::of(width, height)).world, level.scene.value());
   ASSERT_EQ(viewport.scale(), 1) << "the window does not show this level pixel by pixel";
 
-  Player game(app::Language::english, width, height);
+  Player game(app::Language::en, width, height);
   game.press("Angry Balls");
   ASSERT_TRUE(game.says("level menu"));
   game.press(level.name);

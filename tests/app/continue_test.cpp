@@ -27,7 +27,7 @@ std::optional<std::string> stored(app::Store& store, const std::string& name) {
 
 /// One start of the program.
 struct Start : Player {
-  explicit Start(app::Store& shared, app::Language language = app::Language::english)
+  explicit Start(app::Store& shared, app::Language language = app::Language::en)
       : Player(language, width, height, {}, shared) {}
 
   app::View view() const { return app::View::of(width, height); }
@@ -263,7 +263,7 @@ TEST(Continue, ADiskThatCannotBeWrittenIsTold) {
   Start game(store);
   first_shot(game);
   game.pass(500ms);
-  EXPECT_TRUE(game.shows("This game cannot be kept"));
+  EXPECT_TRUE(game.shows("This game cannot be saved"));
 }
 
 // Twenty ways in which a file can be wrong.
@@ -326,8 +326,8 @@ class BrokenSave : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(BrokenSave, IsRefusedSetAsideAndNeverOverwritten) {
   const std::string broken = broken_saves()[GetParam()];
-  for (const auto language : {app::Language::english, app::Language::french}) {
-    const bool french = language == app::Language::french;
+  for (const auto language : {app::Language::en, app::Language::fr}) {
+    const bool french = language == app::Language::fr;
     app::MemoryStore store;
     ASSERT_TRUE(store.save(table_file, broken));
     Start game(store, language);
@@ -359,7 +359,7 @@ TEST(BrokenSaves, WhatCannotBeMovedAwayIsNeverOverwritten) {
   } store;
   ASSERT_TRUE(store.save(table_file, "{"));
   Start game(store);
-  EXPECT_TRUE(game.shows("New games cannot be kept."));
+  EXPECT_TRUE(game.shows("New games cannot be saved."));
   game.press("OK");
   first_shot(game);
   EXPECT_EQ(stored(store, table_file), "{");

@@ -17,6 +17,7 @@ namespace every_screen {
 
 using app::Box;
 using app::Key;
+using app::Text;
 
 /// What is on screen, and what takes the input.
 struct Shown {
@@ -35,7 +36,7 @@ struct Shown {
 };
 
 struct How {
-  app::Language language = app::Language::english;
+  app::Language language = app::Language::en;
   int width = 1280;  ///< points of the screen
   int height = 720;
   int density = 1;
@@ -58,9 +59,7 @@ class Walk {
   using seconds = std::chrono::seconds;
   using milliseconds = std::chrono::milliseconds;
 
-  const char* in(const char* english, const char* french) const {
-    return how_.language == app::Language::french ? french : english;
-  }
+  std::string in(Text text) const { return app::Words(how_.language)(text); }
   app::Resized size() const {
     return {how_.width * how_.density, how_.height * how_.density,
             static_cast<float>(how_.density)};
@@ -81,7 +80,7 @@ class Walk {
             [&](const app::Input& input) { game.app().event(input); }});
   }
   /// Presses a button, on whatever page it is.
-  void find(Player& game, const char* label) const {
+  void find(Player& game, const std::string& label) const {
     for (int page = 0; page < 9; ++page) {
       for (const Box& box : game.boxes())
         if (box.kind == Box::Kind::button && box.text.find(label) != std::string::npos)
@@ -100,7 +99,7 @@ class Walk {
     game.key(Key::escape);
     game.key(Key::help);
     check(game);
-    game.press(in("Keys…", "Touches…"));
+    game.press(in(Text::change_keys));
     check(game);
 
     app::MemoryStore store;
@@ -113,12 +112,12 @@ class Walk {
     check(kept);
     kept.key(Key::escape);
     check(kept, "games kept");
-    for (const char* game_of : {in("Billiards", "Billard"), "Angry Balls"}) {
-      kept.press(game_of);
+    for (const Text game_of : {Text::billiards, Text::angry_balls}) {
+      kept.press(in(game_of));
       check(kept);
       kept.key(Key::escape);
     }
-    kept.press(in("Continue: billiards", "Reprendre : billard"));
+    kept.press(in(Text::continue_table));
     check(kept, "loading");
 
     app::MemoryClipboard clipboard;
@@ -134,7 +133,7 @@ class Walk {
     Player game(how_.language, how_.width, how_.height);
     begin(game);
     for (const bool practice : {false, true}) {
-      game.press(practice ? in("Practice", "S’exercer") : in("Billiards", "Billard"));
+      game.press(practice ? in(Text::practice) : in(Text::billiards));
       check(game);
       for (int i = 0; i < 2; ++i) game.key(Key::enter);
       game.pass(milliseconds{100});
@@ -195,8 +194,8 @@ class Walk {
     game.press("Angry Balls");
     check(game);
     for (const bool practice : {false, true}) {
-      if (practice) game.press(in("Practice: off", "Exercice : non"));
-      find(game, in("First steps", "Premiers pas"));
+      if (practice) game.press(in(Text::practice_off));
+      find(game, app::Words(how_.language).level_name("First steps"));
       check(game);
       for (int left = 2; left >= 0; --left) {
         throw_left(game);
@@ -208,13 +207,13 @@ class Walk {
         }
         game.key(Key::n);
       }
-      ASSERT_TRUE(game.says(in("Level lost", "Niveau perdu"))) << game.title();
+      ASSERT_TRUE(game.says(in(Text::lost))) << game.title();
       check(game);
       game.key(Key::escape);
       if (practice) break;
       find(game, "easy");
       throw_left(game);  // and back from the wall
-      ASSERT_TRUE(game.says(in("Level won", "Niveau gagné"))) << game.title();
+      ASSERT_TRUE(game.says(in(Text::won))) << game.title();
       check(game);
       game.key(Key::escape);
     }
@@ -228,7 +227,7 @@ class Walk {
     for (int i = 0; i < 30; ++i)
       ASSERT_TRUE(game.store().save("replays/replay-" + std::to_string(i) + ".json", level));
     ASSERT_TRUE(game.store().save("replays/strange.json", R"({"angry-balls-replay": 2})"));
-    game.press(in("Replays", "Revoir"));
+    game.press(in(Text::replays));
     check(game);
     game.press("›");
     check(game);

@@ -7,13 +7,14 @@ namespace {
 
 using app::Box;
 
-class FingerTargets : public testing::TestWithParam<std::tuple<std::pair<int, int>, int>> {};
+class FingerTargets
+    : public testing::TestWithParam<std::tuple<std::pair<int, int>, int, app::Language>> {};
 
 TEST_P(FingerTargets, AreLargeEnough) {
-  const auto [size, density] = GetParam();
+  const auto [size, density, language] = GetParam();
   const float least = app::finger_target * static_cast<float>(density);
   every_screen::Walk walk(
-      {.language = app::Language::french,
+      {.language = language,
        .width = size.first,
        .height = size.second,
        .density = density,
@@ -33,13 +34,14 @@ TEST_P(FingerTargets, AreLargeEnough) {
   walk.all();
 }
 
-INSTANTIATE_TEST_SUITE_P(OnTelephones, FingerTargets,
-                         testing::Combine(testing::Values(std::pair{390, 844}, std::pair{844, 390},
-                                                          std::pair{640, 360}),
-                                          testing::Values(1, 3)),
-                         [](const auto& test) {
-                           return std::to_string(std::get<0>(test.param).first) + "_at_" +
-                                  std::to_string(std::get<1>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    OnTelephones, FingerTargets,
+    testing::Combine(testing::Values(std::pair{390, 844}, std::pair{844, 390}, std::pair{640, 360}),
+                     testing::Values(1, 3), testing::ValuesIn(app::all_languages())),
+    [](const auto& test) {
+      return std::to_string(std::get<0>(test.param).first) + "_at_" +
+             std::to_string(std::get<1>(test.param)) + "_" +
+             std::string(app::code_of(std::get<2>(test.param)));
+    });
 
 }  // namespace

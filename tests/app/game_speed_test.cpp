@@ -53,7 +53,7 @@ class GameSpeedTest : public testing::Test {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, app::shipped_levels()};
-  app::Words words{app::Language::english};
+  app::Words words{app::Language::en};
 };
 
 TEST_F(GameSpeedTest, PauseAndFastForwardChangeNoBit) {
@@ -217,7 +217,7 @@ TEST_F(GameSpeedTest, ReducedMotionShowsNoTrailAndNothingThatFlies) {
 TEST_F(GameSpeedTest, ThePictureShakesOnlyIfAllowedAndMotionIsNotReduced) {
   std::ifstream file(SOURCE_DIR "/tests/replays/level-01-won.json");
   const std::string json{std::istreambuf_iterator<char>(file), {}};
-  app::App game(app::Language::english, 1280, 720, store, clipboard);
+  app::App game(app::Language::en, 1280, 720, store, clipboard);
   EXPECT_FALSE(game.settings().get().screen_shake) << "not before the player allows it";
   game.watch(replay::read_replay(json).value());
   const auto broken = [&] {

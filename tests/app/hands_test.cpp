@@ -24,7 +24,7 @@ namespace billiards = games::billiards;
 
 class Hands : public testing::Test {
  protected:
-  Player game{app::Language::english, 1280, 720};
+  Player game{app::Language::en, 1280, 720};
 
   const app::BilliardsScreen& table() {
     return dynamic_cast<const app::BilliardsScreen&>(game.app().screen());
@@ -302,7 +302,7 @@ TEST_F(Hands, ButtonsGrowForFingers) {
   for (const auto& [width, height] :
        {std::pair{800, 600}, {1280, 720}, {1920, 1080}, {390, 844}, {844, 390}}) {
     for (const bool practice : {false, true}) {
-      Player small(app::Language::french, width, height);
+      Player small(app::Language::fr, width, height);
       small.app().event(app::Finger{0, app::Finger::Phase::down, {1, 1}});
       small.app().event(app::Finger{0, app::Finger::Phase::up, {1, 1}});
       small.press(practice ? "S’exercer" : "Billard");
@@ -367,7 +367,7 @@ TEST_F(Hands, NothingLightsUpOnceAFingerIsLifted) {
 }
 
 TEST(Footer, TheHintStaysInTheMiddleBesideThePower) {
-  Player wide(app::Language::french, 1280, 720);
+  Player wide(app::Language::fr, 1280, 720);
   wide.press("Billard");
   wide.pass(std::chrono::seconds{3});
   const auto middle = [&](std::string_view hint) {

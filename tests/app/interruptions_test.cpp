@@ -73,7 +73,7 @@ class Interruptions : public testing::Test {
   }
 
   app::MemoryStore store;
-  Player game{app::Language::english, 1280, 720, {}, store};
+  Player game{app::Language::en, 1280, 720, {}, store};
 };
 
 TEST_F(Interruptions, AKeyLetGoUnderAnotherScreenIsLetGo) {
@@ -145,7 +145,7 @@ TEST_F(Interruptions, AChargeEndsWithItsKeyUnderAQuestion) {
   game.key(Key::space);
   EXPECT_TRUE(game.app().animating());
   game.press("Restart");
-  ASSERT_TRUE(game.says("Start again?"));
+  ASSERT_TRUE(game.says("Restart?"));
   key_up(Key::space);
   game.press("Keep playing");
   game.pass(3s);
@@ -236,11 +236,11 @@ TEST_F(Interruptions, TheMouseShrinksButtonsOfAWindowThatBeganForFingers) {
     app::MemoryClipboard clipboard;
     app::HostEnvironment phone;
     phone.touch = true;
-    app::App app(app::Language::english, 390, 844, store, clipboard, {}, phone);
+    app::App app(app::Language::en, 390, 844, store, clipboard, {}, phone);
     if (resized) app.event(app::Resized{390, 844, 1});
     app.event(app::PointerPressed{{1, 1}});
     app.event(app::PointerReleased{{1, 1}});
-    app::App other(app::Language::english, 390, 844, store, clipboard);
+    app::App other(app::Language::en, 390, 844, store, clipboard);
     const auto height = [](app::App& of) {
       of.event(app::KeyPressed{Key::settings});
       for (const app::Box& box : of.draw().boxes)

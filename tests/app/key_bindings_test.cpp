@@ -63,7 +63,7 @@ TEST(Keyboard, CallsKeysByWhatIsPrintedOnThem) {
 class KeysTest : public testing::Test {
  protected:
   void type(std::string_view text) { game.app().event(app::TextTyped{std::string(text)}); }
-  Player game{app::Language::english, 800, 600};
+  Player game{app::Language::en, 800, 600};
 };
 
 TEST_F(KeysTest, HelpIsThereAnywhereAndGoesByAnyOfItsWays) {
@@ -90,7 +90,7 @@ TEST_F(KeysTest, HelpIsThereAnywhereAndGoesByAnyOfItsWays) {
 
 TEST_F(KeysTest, HelpIsReadByKeysAlone) {
   for (const bool several : {false, true}) {
-    Player reader(app::Language::english, several ? 800 : 1280, several ? 600 : 720);
+    Player reader(app::Language::en, several ? 800 : 1280, several ? 600 : 720);
     reader.key(Key::help);
     EXPECT_EQ(reader.shows("Page 1"), several);
     if (several) {
@@ -127,7 +127,7 @@ TEST_F(KeysTest, ACommandIsPutOnAnotherLetter) {
   game.key(Key::help);
   game.press("Keys…");
   EXPECT_TRUE(game.says("Keys"));
-  game.press("Start again");
+  game.press("Restart, ");
   EXPECT_TRUE(game.shows("press a letter"));
   game.key(Key::tab);
   EXPECT_TRUE(game.shows("Only letters"));
@@ -145,7 +145,7 @@ TEST_F(KeysTest, ACommandIsPutOnAnotherLetter) {
   game.key(Key::r);
   EXPECT_TRUE(game.says("watches")) << "R does nothing any more";
   game.key(Key::q);
-  EXPECT_TRUE(game.says("Start again?"));
+  EXPECT_TRUE(game.says("Restart?"));
   game.key(Key::escape);
 
   game.key(Key::help);
@@ -162,13 +162,13 @@ TEST(KeptKeys, AreThereAtTheNextStart) {
     return game.shows("repeat: Q") ? 'q' : game.shows("repeat: R") ? 'r' : '?';
   };
   {
-    Player game(app::Language::english, 800, 600, {}, store);
+    Player game(app::Language::en, 800, 600, {}, store);
     ASSERT_EQ(again_on(game), 'r');
     EXPECT_FALSE(store.load(app::settings_file).value()) << "nothing is changed yet";
-    game.press("Start again");
+    game.press("Restart, ");
     game.key(Key::q);
   }
-  Player game(app::Language::english, 800, 600, {}, store);
+  Player game(app::Language::en, 800, 600, {}, store);
   game.app().settings().set(game.app().settings().get());
   EXPECT_EQ(again_on(game), 'q') << "and other settings leave it alone";
   game.key(Key::escape);
@@ -176,12 +176,12 @@ TEST(KeptKeys, AreThereAtTheNextStart) {
   for (int i = 0; i < 3; ++i) game.key(Key::enter);
   game.pass(std::chrono::milliseconds{100});
   game.key(Key::q);
-  EXPECT_TRUE(game.says("Start again?"));
+  EXPECT_TRUE(game.says("Restart?"));
   game.key(Key::escape);
   game.key(Key::help);
   game.press("Keys…");
   game.press("Defaults");
-  Player last(app::Language::english, 800, 600, {}, store);
+  Player last(app::Language::en, 800, 600, {}, store);
   EXPECT_EQ(again_on(last), 'r');
 }
 
@@ -223,7 +223,7 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
 
   app::MemoryStore store;
   ASSERT_TRUE(store.save("replays/a.json", "{}"));
-  Player knows(app::Language::english, 800, 600, {}, store);
+  Player knows(app::Language::en, 800, 600, {}, store);
   knows.app().teach_beginners();
   knows.key(Key::enter);
   knows.pass(std::chrono::milliseconds{600});
@@ -234,7 +234,7 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
 TEST_F(KeysTest, TheLessonIsNotRepeatedAtTheNextStart) {
   app::MemoryStore store;
   for (const bool first : {true, false}) {
-    Player starts(app::Language::english, 800, 600, {}, store);
+    Player starts(app::Language::en, 800, 600, {}, store);
     starts.app().teach_beginners();
     starts.key(Key::enter);
     EXPECT_EQ(starts.shows("Pull it back"), first);

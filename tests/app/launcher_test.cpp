@@ -288,7 +288,7 @@ class KeyboardOnly : public testing::Test {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, app::shipped_levels()};
-  Screen screen{app::Words(app::Language::english), session};
+  Screen screen{app::Words(app::Language::en), session};
 };
 using Screens = testing::Types<app::BilliardsScreen, app::AngryBallsScreen>;
 

@@ -15,6 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using app::Box;
+using app::Text;
 
 struct Size {
   int width, height;
@@ -86,9 +87,13 @@ void expect_sound(const std::vector<Box>& boxes, Size size) {
 
 class Layout : public testing::TestWithParam<std::tuple<Size, app::Language>> {
  protected:
+  std::string in(Text text, std::initializer_list<std::string_view> values = {}) const {
+    return words(text, values);
+  }
+
   Size size = std::get<0>(GetParam());
-  bool french = std::get<1>(GetParam()) == app::Language::french;
-  std::string lost = french ? "Niveau perdu" : "Level lost";
+  app::Words words{std::get<1>(GetParam())};
+  std::string lost = in(Text::lost);
   /// Beside the shipped ones: 11 has a very long name and is won by any throw to the right; 12 is
   /// broken.
   Player game{std::get<1>(GetParam()),
@@ -137,15 +142,15 @@ TEST_P(Layout, HelpOnAllItsPagesAndTheKeys) {
         game.app().event(app::Finger{0, phase, {1, 1}});
     key(app::Key::help);
     for (int i = 0; i < 8; ++i) {
-      check(french ? "Aide" : "Help");
+      check(in(Text::help));
       key(app::Key::right);
     }
-    game.press(french ? "Touches…" : "Keys…");
-    check(french ? "Touches" : "Keys");
-    game.press(french ? "Recommencer" : "Start again");
-    check(french ? "Touches" : "Keys");
+    game.press(in(Text::change_keys));
+    check(in(Text::keys_title));
+    game.press(in(Text::key_again));
+    check(in(Text::keys_title));
     key(app::Key::n);
-    check(french ? "Touches" : "Keys");
+    check(in(Text::keys_title));
     key(app::Key::escape);
     key(app::Key::escape);
     key(app::Key::escape);
@@ -165,7 +170,7 @@ TEST_P(Layout, ForFingersAndBeginners) {
     key(app::Key::tab);
     check();
   }
-  game.press(french ? "S’exercer" : "Practice");
+  game.press(in(Text::practice));
   game.pass(3s);
   check();
   touch();
@@ -298,24 +303,24 @@ TEST_P(Layout, WatchAndQuestion) {
   game.pass(50ms);
   check();
   key(app::Key::escape);
-  check(french ? "Quitter la table ?" : "Leave the table?");
+  check(in(Text::ask_leave));
 }
 
 TEST_P(Layout, Settings) {
-  game.press(french ? "Réglages" : "Settings");
+  game.press(in(Text::settings));
   check();
   for (int page = 0; page < 4; ++page) {
     key(app::Key::tab);
     for (int i = 0; i < page; ++i) key(app::Key::right);
     check();
     for (int i = page; i < 4; ++i) key(app::Key::tab);
-    while (game.title().find(french ? " : " : ": ") != std::string::npos) {
-      for (int value = 0; value < 4; ++value) {
-        // The language goes round and is as it was.
-        key(french == game.says("Réglages") ? app::Key::right : app::Key::left);
+    const std::string separator = in(Text::key_line, {"", ""});
+    while (game.says(separator)) {
+      // Through all languages and round to the one it was.
+      for (std::size_t value = 0; value <= app::language_codes.size(); ++value) {
+        key(app::Key::right);
         check();
       }
-      if (french != game.says("Réglages")) key(app::Key::left);
       game.app().event(app::TextTyped{long_names[1]});
       check();
       for (const Box& box : game.boxes())
@@ -342,15 +347,13 @@ TEST_P(Layout, SettingsThatCannotBeReadOrSaved) {
     }
   } fixed;
   app::MemoryStore store;
-  const std::string title = french ? "Réglages : valeurs" : "Settings: starting";
+  const std::string title = in(Text::settings_broken);
   for (app::Store* const any :
        {static_cast<app::Store*>(&store), static_cast<app::Store*>(&fixed)}) {
     ASSERT_TRUE(any->save("settings.json", "{"));
     Player broken(std::get<1>(GetParam()), size.width, size.height, {}, *any);
     ASSERT_TRUE(broken.says(title));
-    expect_sound(visible(broken.boxes(),
-                         french ? "Réglages : valeurs de départ" : "Settings: starting afresh"),
-                 size);
+    expect_sound(visible(broken.boxes(), in(Text::settings_broken)), size);
     broken.key(app::Key::enter);
     broken.key(app::Key::settings);
     expect_sound(broken.boxes(), size);
@@ -366,13 +369,12 @@ TEST_P(Layout, EndOfBilliards) {
   while (player.steps() + 1 < steps) ASSERT_TRUE(player.step());
   app::MemoryStore store;
   app::Session session(store, game.clipboard(), {});
-  const app::Words words(std::get<1>(GetParam()));
   const app::View view = app::View::of(size.width, size.height);
   for (const bool named : {false, true}) {
     app::BilliardsScreen screen(
         words, session,
         app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
-    if (named) app::Words(words).name_players(long_names);
+    if (named) words.name_players(long_names);
     screen.resize(view);
     for (int i = 0; i < 500; ++i) screen.iterate(20ms);
     ASSERT_EQ(screen.game().phase(), games::billiards::Phase::over);
@@ -383,16 +385,16 @@ TEST_P(Layout, EndOfBilliards) {
     screen.draw(canvas);
     std::size_t modal = list.boxes.size();
     for (std::size_t i = 0; i < list.boxes.size(); ++i)
-      if (list.boxes[i].text.find(french ? " gagne" : " wins") != std::string::npos) modal = i;
+      for (const int player : {0, 1})
+        if (list.boxes[i].text == words(Text::wins, {words.player(player)})) modal = i;
     ASSERT_LT(modal, list.boxes.size());
     const std::vector<Box> boxes(list.boxes.begin() + static_cast<std::ptrdiff_t>(modal),
                                  list.boxes.end());
     expect_sound(boxes, size);
-    for (const char* row : french
-                               ? std::array{"Points", "Boules", "Meilleur tour", "Tirs", "Fautes"}
-                               : std::array{"Points", "Balls", "Best turn", "Shots", "Fouls"})
-      EXPECT_TRUE(std::ranges::any_of(boxes, [&](const Box& box) { return box.text == row; }))
-          << row;
+    for (const Text row :
+         {Text::points_made, Text::balls, Text::best_turn, Text::shots, Text::fouls})
+      EXPECT_TRUE(std::ranges::any_of(boxes, [&](const Box& box) { return box.text == in(row); }))
+          << in(row);
   }
 }
 
@@ -422,7 +424,7 @@ TEST_P(Layout, LevelFromTheFirstClickToTheEnd) {
   game.pass(3s);
   check();
   key(app::Key::escape);
-  check(french ? "Quitter le niveau ?" : "Leave the level?");
+  check(in(Text::ask_leave_level));
   key(app::Key::escape);
   for (int i = 0; i < 2; ++i) {
     key(app::Key::n);
@@ -447,13 +449,13 @@ TEST_P(Layout, LevelWon) {
   game.pass(100ms);
   check();
   game.pass(4s);
-  check(french ? "Niveau gagné !" : "Level won!");
+  check(in(Text::won));
 }
 
 /// Throws out on the left until the level is lost.
 TEST_P(Layout, PracticeFromTheFirstThrowToTheEnd) {
   game.press("Angry Balls");
-  game.press(french ? "Exercice" : "Practice");
+  game.press(in(Text::practice_off));
   check();
   choose_level(1);
   game.pass(3s);
@@ -480,12 +482,12 @@ TEST_P(Layout, PracticeFromTheFirstThrowToTheEnd) {
   }
   check(lost);
   EXPECT_TRUE(game.says(lost)) << game.title();
-  game.press(french ? "Annuler" : "Take back");
+  game.press(in(Text::take_back));
   check();
 }
 
 TEST_P(Layout, PracticeTable) {
-  game.press(french ? "S’exercer" : "Practice");
+  game.press(in(Text::practice));
   check();
   game.pass(3s);
   check();
@@ -509,10 +511,10 @@ TEST_P(Layout, ReplayOfBilliardsFromTheFirstTurnToTheLast) {
     for (int j = 0; j < 9; ++j) key(i == 0 ? app::Key::plus : app::Key::minus);
     check();
   }
-  game.press(french ? "Garder" : "Save");
+  game.press(in(Text::save_replay));
   check();
   key(app::Key::escape);
-  game.press(french ? "Revoir" : "Replays");
+  game.press(in(Text::replays));
   check();
 }
 
@@ -528,9 +530,9 @@ TEST_P(Layout, ReplayOfALevelAndOneThatDiverges) {
 
 TEST_P(Layout, NothingToPaste) {
   key(app::Key::paste);
-  check(french ? "Rien à montrer" : "Nothing to show");
+  check(in(Text::paste_failed));
   key(app::Key::enter);
-  game.press(french ? "Revoir" : "Replays");
+  game.press(in(Text::replays));
   check();
   key(app::Key::paste);
   check();
@@ -544,7 +546,7 @@ TEST_P(Layout, ListOfReplays) {
   ASSERT_TRUE(game.store().save("replays/t.json", replay_file("billiards-whole.json")));
   ASSERT_TRUE(game.store().save("replays/u.json", "{"));
   ASSERT_TRUE(game.store().save("replays/v.json", R"({"angry-balls-replay": 2})"));
-  game.press(french ? "Revoir" : "Replays");
+  game.press(in(Text::replays));
   check();
   for (int page = 0; page < 20 && !game.shows("u\n"); ++page) {
     game.press("›");
@@ -565,19 +567,18 @@ TEST_P(Layout, GamesKeptAreOffered) {
   ASSERT_TRUE(store.save("continue-level.json", replay_file("level-random-lost.json")));
   Player again(std::get<1>(GetParam()), size.width, size.height, {}, store);
   expect_sound(again.boxes(), size);
-  const std::string question = french ? "Abandonner la partie ?" : "Give up the game kept?";
-  for (const char* choice : {"Angry Balls", french ? "Billard" : "Billiards"}) {
-    again.press(choice);
+  const std::string question = in(Text::ask_new_game);
+  for (const Text choice : {Text::angry_balls, Text::billiards}) {
+    again.press(in(choice));
     EXPECT_TRUE(again.says(question));
     expect_sound(visible(again.boxes(), question), size);
     again.key(app::Key::escape);
   }
-  again.press(french ? "Reprendre : Random" : "Continue: Random");
+  again.press(in(Text::continue_named_level, {"Random"}));
   expect_sound(again.boxes(), size);
   again.pass(100ms);
   // That game is over already.
-  expect_sound(visible(again.boxes(), french ? "Niveau : pas de reprise" : "Level: not continued"),
-               size);
+  expect_sound(visible(again.boxes(), in(Text::kept_refused_level)), size);
 }
 
 TEST_P(Layout, GamesKeptThatAreBroken) {
@@ -593,19 +594,16 @@ TEST_P(Layout, GamesKeptThatAreBroken) {
     ASSERT_TRUE(store.save("continue-billiards.json", "{"));
     ASSERT_TRUE(store.save("continue-level.json", R"({"angry-balls-replay": 2})"));
     Player broken(std::get<1>(GetParam()), size.width, size.height, {}, store);
-    expect_sound(
-        visible(broken.boxes(), french ? "Billard : pas de reprise" : "Billiards: not continued"),
-        size);
+    expect_sound(visible(broken.boxes(), in(Text::kept_refused_billiards)), size);
     broken.key(app::Key::enter);
-    expect_sound(
-        visible(broken.boxes(), french ? "Niveau : pas de reprise" : "Level: not continued"), size);
+    expect_sound(visible(broken.boxes(), in(Text::kept_refused_level)), size);
   }
 }
 
 TEST(LayoutOfWideWindows, HasLargeButtonsInTheBar) {
   for (const Size size : {Size{1920, 1080}, {1280, 720}, {2560, 1080}}) {
     for (const bool table : {true, false}) {
-      Player game(app::Language::french, size.width, size.height);
+      Player game(app::Language::fr, size.width, size.height);
       const app::View view = app::View::of(size.width, size.height);
       game.press(table ? "Billard" : "Angry Balls");
       if (!table) game.press("Premiers pas");
@@ -630,7 +628,7 @@ TEST(LayoutOfWideWindows, HasLargeButtonsInTheBar) {
 TEST(LayoutOfAnySize, IsSurvivedByReplays) {
   for (const Size size : {Size{1, 1}, {64, 64}, {1, 2000}, {2000, 1}, {130, 97}, {8192, 64}}) {
     for (const char* file : {"level-09-won.json", "billiards-left-in-the-middle.json"}) {
-      Player game(app::Language::french, size.width, size.height);
+      Player game(app::Language::fr, size.width, size.height);
       ASSERT_TRUE(game.clipboard().set_text(replay_file(file)));
       game.key(app::Key::paste);
       game.pass(500ms);
@@ -647,7 +645,7 @@ TEST(LayoutOfAnySize, IsSurvivedByReplays) {
 
 TEST(LayoutOfAnySize, IsSurvived) {
   for (const Size size : {Size{1, 1}, {64, 64}, {1, 2000}, {2000, 1}, {130, 97}, {8192, 8192}}) {
-    platform::NullPlatform game(app::Language::french, size.width, size.height);
+    platform::NullPlatform game(app::Language::fr, size.width, size.height);
     EXPECT_FALSE(game.app().draw().indices.empty());
     game.app().event(app::KeyPressed{app::Key::enter});
     game.pass(500ms);
@@ -664,7 +662,7 @@ TEST(LayoutOfAnySize, IsSurvivedByLevels) {
     {"x": 10, "y": 1, "radius": 1, "role": "projectile"},
     {"x": 30, "y": 1, "radius": 1, "role": "enemy"}]})";
   for (const Size size : {Size{1, 1}, {64, 64}, {1, 2000}, {2000, 1}, {130, 97}, {8192, 64}}) {
-    Player game(app::Language::french, size.width, size.height, {app::read_level("odd", odd)});
+    Player game(app::Language::fr, size.width, size.height, {app::read_level("odd", odd)});
     for (const int tabs : {1, 11}) {
       game.app().event(app::Resized{800, 600});
       while (!game.says("écran titre")) game.key(app::Key::escape);
@@ -682,12 +680,12 @@ TEST(LayoutOfAnySize, IsSurvivedByLevels) {
   }
 }
 
-const auto languages = testing::Values(app::Language::english, app::Language::french);
+const auto languages = testing::ValuesIn(app::all_languages());
 
 std::string name_of(const testing::TestParamInfo<Layout::ParamType>& test) {
-  const Size size = std::get<0>(test.param);
-  const bool french = std::get<1>(test.param) == app::Language::french;
-  return std::to_string(size.width) + "x" + std::to_string(size.height) + (french ? "_fr" : "_en");
+  const auto [size, language] = test.param;
+  return std::to_string(size.width) + "x" + std::to_string(size.height) + "_" +
+         std::string(app::code_of(language));
 }
 
 INSTANTIATE_TEST_SUITE_P(UsualSizes, Layout,

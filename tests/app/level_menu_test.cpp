@@ -16,9 +16,9 @@ std::vector<app::Level> own_levels(int count) {
 }
 
 TEST(LevelMenu, ShowsNumbersNamesAndWhatIsNotWonYet) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   game.press("Angry Balls");
-  EXPECT_EQ(game.title(), "Angry Balls · level menu · levels: 10");
+  EXPECT_EQ(game.title(), "Angry Balls · level menu · 10 levels");
   EXPECT_TRUE(game.shows("First steps"));
   EXPECT_TRUE(game.shows("10"));
   EXPECT_TRUE(game.shows("Not won yet"));
@@ -26,7 +26,7 @@ TEST(LevelMenu, ShowsNumbersNamesAndWhatIsNotWonYet) {
 }
 
 TEST(LevelMenu, AClickStartsTheLevelAndEscapeComesBack) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   game.press("Angry Balls");
   game.press("Two towers");
   EXPECT_TRUE(game.says("Level 2: Two towers")) << game.title();
@@ -37,7 +37,7 @@ TEST(LevelMenu, AClickStartsTheLevelAndEscapeComesBack) {
 }
 
 TEST(LevelMenu, ABrokenLevelTellsItsFirstErrorAndDoesNotStart) {
-  Player game(app::Language::english, 1920, 1080,
+  Player game(app::Language::en, 1920, 1080,
               {app::read_level(
                   "bad.json",
                   std::string("{\"carom\": 1, \"height\": 5, \"balls\": [],\n \"width\": -3}"))});
@@ -49,7 +49,7 @@ TEST(LevelMenu, ABrokenLevelTellsItsFirstErrorAndDoesNotStart) {
 }
 
 TEST(LevelMenu, ALastRowThatIsNotFullStandsInTheMiddle) {
-  Player game(app::Language::english, 800, 600);
+  Player game(app::Language::en, 800, 600);
   game.press("Angry Balls");
   const auto level = [&](std::string_view name) {
     for (const app::Box& box : game.boxes())
@@ -72,7 +72,7 @@ TEST(LevelMenu, ALastRowThatIsNotFullStandsInTheMiddle) {
 }
 
 TEST(LevelMenu, ManyLevelsArePaged) {
-  Player game(app::Language::english, 800, 600, own_levels(50));
+  Player game(app::Language::en, 800, 600, own_levels(50));
   game.press("Angry Balls");
   EXPECT_TRUE(game.shows("Page 1 of "));
   EXPECT_FALSE(game.shows("own-49"));
@@ -87,7 +87,7 @@ TEST(LevelMenu, ManyLevelsArePaged) {
 }
 
 TEST(LevelMenu, TheFocusStaysWherePagesAreTurnedAndPracticeIsSwitched) {
-  Player game(app::Language::english, 800, 600, own_levels(50));
+  Player game(app::Language::en, 800, 600, own_levels(50));
   game.press("Angry Balls");
   const auto focused = [&]() -> std::string {
     for (const app::Box& box : game.boxes())
@@ -107,7 +107,7 @@ TEST(LevelMenu, TheFocusStaysWherePagesAreTurnedAndPracticeIsSwitched) {
 }
 
 TEST(LevelMenu, TheFocusStaysOnALevelInAWindowOfAnotherSize) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   game.press("Angry Balls");
   for (int i = 0; i < 2; ++i) game.key(app::Key::tab);
   game.app().event(app::Resized{800, 600, 1});
@@ -116,7 +116,7 @@ TEST(LevelMenu, TheFocusStaysOnALevelInAWindowOfAnotherSize) {
 }
 
 TEST(LevelMenu, IsPlayedByKeysToo) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   for (int i = 0; i < 3; ++i) game.key(app::Key::tab);
   game.key(app::Key::enter);
   game.key(app::Key::tab);
@@ -129,7 +129,7 @@ TEST(LevelMenu, BestScoresOutliveTheApp) {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   const auto play = [&](auto&& use) {
-    app::App game(app::Language::english, 1280, 720, store, clipboard, own_levels(1));
+    app::App game(app::Language::en, 1280, 720, store, clipboard, own_levels(1));
     use(game);
   };
   const std::string identity = own_levels(1)[0].identity;
@@ -144,11 +144,11 @@ TEST(LevelMenu, BestScoresOutliveTheApp) {
 }
 
 TEST(LevelMenu, TellsOfScoresThatWereSetAside) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   ASSERT_TRUE(store.save("scores.json", "?"));
-  app::App app(app::Language::english, 1280, 720, store, clipboard);
+  app::App app(app::Language::en, 1280, 720, store, clipboard);
   for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
     app.event(app::KeyPressed{key});
   bool shown = false;

@@ -26,7 +26,7 @@ TEST(Level, IsCalledLikeItsFileIfItHasNoName) {
   const app::Level kept =
       app::read_level(app::read_level("mine.json", text).identity + ".json", text);
   EXPECT_EQ(kept.name, "");
-  EXPECT_EQ(app::Words(app::Language::english).level_name(kept.name), "Unnamed level");
+  EXPECT_EQ(app::Words(app::Language::en).level_name(kept.name), "Unnamed level");
 }
 
 TEST(Level, TheIdentityIsThatOfTheContents) {

@@ -15,7 +15,7 @@ const std::string own_level =
 
 struct Links : testing::Test {
   app::MemoryStore store;
-  Player game{app::Language::english, 1280, 720, {}, store};
+  Player game{app::Language::en, 1280, 720, {}, store};
 };
 
 TEST_F(Links, ALinkToAReplayShowsItAndProvesIt) {

@@ -148,7 +148,7 @@ TEST(Palette, EveryTextStandsOutFromWhatIsBeneath) {
   using namespace std::chrono_literals;
   for (const Colours colours : everything) {
     app::MemoryStore store;
-    platform::NullPlatform game(app::Language::english, 800, 600, {}, store);
+    platform::NullPlatform game(app::Language::en, 800, 600, {}, store);
     app::Settings settings = game.app().settings().get();
     settings.colours = colours;
     game.app().settings().set(settings);
@@ -197,8 +197,8 @@ TEST(Palette, IsWhatIsDrawn) {
   ASSERT_TRUE(
       store.save("settings.json", R"({"angry-balls-settings": 1, "colours": "high-contrast"})")
           .ok());
-  platform::NullPlatform chosen(app::Language::english, 800, 600, {}, store);
-  platform::NullPlatform standard(app::Language::english, 800, 600);
+  platform::NullPlatform chosen(app::Language::en, 800, 600, {}, store);
+  platform::NullPlatform standard(app::Language::en, 800, 600);
   const auto drawn_with = [](platform::NullPlatform& game, Color color) {
     const auto& vertices = game.app().draw().vertices;
     return std::ranges::any_of(vertices, [&](const app::Vertex& v) { return v.color == color; });

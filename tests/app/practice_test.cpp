@@ -46,7 +46,7 @@ class PracticeTable : public testing::Test {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};
-  app::BilliardsScreen screen{app::Words(app::Language::english), session,
+  app::BilliardsScreen screen{app::Words(app::Language::en), session,
                               app::BilliardsScreen::Mode::practice};
 };
 
@@ -165,7 +165,7 @@ TEST(PracticeLevel, TakesThrowsBackAndKeepsNoScore) {
                  {.role = carom::Role::enemy, .position = {300, 12}, .radius = 12, .solidity = 10}};
   app::Session session{store, clipboard, {app::level_of(level)}};
   session.campaign.practice = true;
-  app::AngryBallsScreen screen(app::Words(app::Language::english), session);
+  app::AngryBallsScreen screen(app::Words(app::Language::en), session);
   screen.resize(app::View::of(1000, 720));
   const auto key = [&](Key which) {
     screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{which}));

@@ -44,7 +44,7 @@ class ReplayScreenTest : public testing::TestWithParam<const char*> {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};
-  app::ReplayScreen screen{app::Words(app::Language::english), session,
+  app::ReplayScreen screen{app::Words(app::Language::en), session,
                            replay::Player::create(replay).value()};
 };
 
@@ -139,7 +139,7 @@ TEST_P(ReplayScreenTest, IsSavedUnderANameOfItsOwnAndCopiedAsText) {
 
 TEST_P(ReplayScreenTest, OneFromATextIsSavedWithAllBits) {
   app::ReplayScreen pasted{
-      app::Words(app::Language::english), session,
+      app::Words(app::Language::en), session,
       replay::Player::create(replay::read_replay(replay::write_text(replay)).value()).value()};
   pasted.resize(app::View::of(800, 600));
   for (int i = 0; i < 10'000; ++i) {
@@ -196,7 +196,7 @@ TEST(Replays, AreWatchedAfterAGameAndFromTheList) {
   const std::string easy = R"({"carom": 1, "name": "Easy", "width": 1000, "height": 500,
     "balls": [{"x": 110, "y": 120, "role": "projectile", "radius": 12},
               {"x": 200, "y": 120, "role": "enemy", "solidity": 10}]})";
-  Player game(app::Language::english, 1000, 720, {app::read_level("easy.json", easy)});
+  Player game(app::Language::en, 1000, 720, {app::read_level("easy.json", easy)});
   game.press("Angry Balls");
   game.press("Easy");
   game.pass(3s);
@@ -221,7 +221,7 @@ TEST(Replays, AreWatchedAfterAGameAndFromTheList) {
   game.press("Menu");
   game.key(Key::escape);
   game.press("Replays");
-  EXPECT_TRUE(game.says("replays: 1"));
+  EXPECT_TRUE(game.says("1 replay"));
   game.press("replay-0001");
   EXPECT_TRUE(game.says("replay · Easy"));
   game.press("Close");
@@ -229,14 +229,14 @@ TEST(Replays, AreWatchedAfterAGameAndFromTheList) {
 }
 
 TEST(Replays, ArePastedOnTitleAndList) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   for (const bool list : {false, true}) {
     if (list) game.press("Replays");
     for (const std::string& wrong :
          {std::string(), std::string("hello"), replay_file("level-06-won.txt").substr(0, 60)}) {
       ASSERT_TRUE(game.clipboard().set_text(wrong));
       game.key(Key::paste);
-      EXPECT_TRUE(game.shows("What was pasted is not a whole replay."));
+      EXPECT_TRUE(game.shows("The text is not a complete replay."));
       if (!list) game.press("OK");
     }
     for (const char* name : {"level-06-won.txt", "billiards-whole.json"}) {
@@ -250,7 +250,7 @@ TEST(Replays, ArePastedOnTitleAndList) {
 }
 
 TEST(Replays, OneSavedWhileItIsWatchedFromTheListIsThere) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   ASSERT_TRUE(game.store().save("replays/a.json", replay_file("level-01-won.json")));
   game.press("Replays");
   game.key(Key::tab);
@@ -258,7 +258,7 @@ TEST(Replays, OneSavedWhileItIsWatchedFromTheListIsThere) {
   game.wait_for("Verified");
   game.press("Save");
   game.key(Key::escape);
-  EXPECT_TRUE(game.says("replays: 2")) << game.title();
+  EXPECT_TRUE(game.says("2 replays")) << game.title();
   EXPECT_TRUE(game.shows("replay-0001"));
   bool focused = false;
   for (const app::Box& box : game.boxes()) focused |= box.focused && box.text.starts_with("a\n");
@@ -266,7 +266,7 @@ TEST(Replays, OneSavedWhileItIsWatchedFromTheListIsThere) {
 }
 
 TEST(Replays, ABrokenFileInTheListSaysSo) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   ASSERT_TRUE(game.store().save("replays/bad.json", "{"));
   ASSERT_TRUE(game.store().save("replays/new.json", R"({"angry-balls-replay": 7})"));
   game.press("Replays");
@@ -277,7 +277,7 @@ TEST(Replays, ABrokenFileInTheListSaysSo) {
 }
 
 TEST(Replays, ManyArePaged) {
-  Player game(app::Language::english, 800, 600);
+  Player game(app::Language::en, 800, 600);
   for (int i = 10; i < 60; ++i)
     ASSERT_TRUE(game.store().save("replays/r" + std::to_string(i) + ".json",
                                   replay_file("level-01-won.json")));

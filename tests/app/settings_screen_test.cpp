@@ -15,7 +15,7 @@ app::Settings stored(app::Store& store) { return app::KeptSettings(store).get();
 
 /// One start of the program.
 struct Start : Player {
-  explicit Start(app::Store& shared, app::StartLanguage language = Language::english)
+  explicit Start(app::Store& shared, app::StartLanguage language = Language::en)
       : Player(language, 1000, 720, {}, shared) {}
 
   void type(const std::string& text) { app().event(app::TextTyped{text}); }
@@ -67,7 +67,7 @@ TEST(SettingsScreen, AFingerIsAskedForAName) {
     asked.push_back(what + "|" + text);
     return answer;
   };
-  app::App game(Language::english, 390, 844, store, clipboard, {}, page);
+  app::App game(Language::en, 390, 844, store, clipboard, {}, page);
   const auto tap = [&](std::string_view label) {
     const auto boxes = game.draw().boxes;
     const auto box = std::ranges::find_if(boxes, [&](const app::Box& one) {
@@ -105,7 +105,7 @@ TEST(SettingsScreen, APhoneIsForFingersFromTheStart) {
   app::MemoryClipboard clipboard;
   app::HostEnvironment page;
   page.touch = true;
-  app::App game(Language::english, 390, 844, store, clipboard, {}, page);
+  app::App game(Language::en, 390, 844, store, clipboard, {}, page);
   game.event(app::KeyPressed{Key::settings});
   const auto shows = [&](std::string_view text) {
     const auto boxes = game.draw().boxes;
@@ -122,7 +122,7 @@ TEST(SettingsScreen, APhoneIsForFingersFromTheStart) {
 /// A phone shows a page of it at a time.
 TEST(SettingsScreen, TheHelpBeginsWithTheHandInUse) {
   for (const bool finger : {false, true}) {
-    Player game(Language::english, 390, 844);
+    Player game(Language::en, 390, 844);
     game.touches = finger;
     game.press("Settings");
     game.press("Help");
@@ -162,7 +162,7 @@ TEST(SettingsScreen, EveryLineIsReachedAndChangedByKeys) {
   game.key(Key::escape);
   EXPECT_TRUE(game.says("title screen")) << game.title();
   app::Settings expected;
-  expected.language = app::LanguageChoice::english;
+  expected.language = app::Language::english;
   expected.volume = 90;
   expected.mute = true;
   expected.hints = false;
@@ -206,7 +206,7 @@ TEST(SettingsScreen, TheLanguageChangesAtOnceAndStays) {
     EXPECT_TRUE(game.shows(label)) << label;
   Start again(store);
   EXPECT_TRUE(again.says("écran titre"));
-  Start asked(store, {Language::english, true});
+  Start asked(store, {Language::en, true});
   EXPECT_TRUE(asked.says("title screen")) << "--lang is stronger";
   asked.press("Settings");
   asked.press("Language");
@@ -219,7 +219,7 @@ TEST(SettingsScreen, TheLanguageChangesAtOnceAndStays) {
 TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
   app::MemoryStore store;
   for (const bool level : {false, true}) {
-    Start game(store, Language::english);
+    Start game(store, Language::en);
     if (level) {
       game.press("Angry Balls");
       game.press("First steps");
@@ -232,8 +232,8 @@ TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
     game.press("Language");
     game.press("Language");
     game.key(Key::escape);
-    for (const char* label : level ? std::array{"Réessayer", "Menu", "Réglages"}
-                                   : std::array{"Rejouer", "Fermer", "Répéter"})
+    for (const char* label : level ? std::array{"Recommencer", "Menu", "Réglages"}
+                                   : std::array{"Recommencer", "Fermer", "Répéter"})
       EXPECT_TRUE(game.shows(label)) << label;
     game.key(Key::settings);
     game.press("Langue");
@@ -268,7 +268,7 @@ TEST(SettingsScreen, NamesAreTypedAndShownEverywhere) {
   EXPECT_TRUE(game.says("Zoé aims")) << game.title();
   EXPECT_TRUE(game.shows("Zoé to play"));
   EXPECT_TRUE(game.says("12 12 12 12 12 12 12 12: 0"));
-  Start again(store, Language::french);
+  Start again(store, Language::fr);
   again.press("Billard");
   EXPECT_TRUE(again.says("Zoé vise")) << again.title();
 }
@@ -291,7 +291,7 @@ TEST(SettingsScreen, BrokenSettingsAreToldOnceAndSetAside) {
   app::MemoryStore store;
   ASSERT_TRUE(store.save("settings.json", "{"));
   Start game(store);
-  EXPECT_TRUE(game.says("Settings: starting afresh")) << game.title();
+  EXPECT_TRUE(game.says("Settings: back to defaults")) << game.title();
   EXPECT_TRUE(game.shows("settings.json.broken"));
   EXPECT_EQ(store.load("settings.json.broken").value(), "{");
   game.key(Key::enter);

@@ -96,7 +96,7 @@ TEST(GameSounds, AreHeardWhereTheyAreSeenOnATableThatStandsUpright) {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};
-  app::BilliardsScreen screen{app::Words(app::Language::english), session};
+  app::BilliardsScreen screen{app::Words(app::Language::en), session};
   const carom::Scene table = games::billiards::rack();
   const auto pan_of = [&](carom::Vec2 at) {
     const carom::Event event{
@@ -129,7 +129,7 @@ std::size_t count(const Player& player, SoundKind kind) {
 }
 
 TEST(Sound, ButtonsClickUnderThePointerAndUnderKeys) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   game.picture();
   game.key(app::Key::space);  // nothing has the focus
   game.pass(20ms);
@@ -151,7 +151,7 @@ TEST(Sound, AReplaySoundsAsTheGameDidToItsEnd) {
   for (const bool lost : {true, false}) {
     std::ifstream file(std::string(SOURCE_DIR "/tests/replays/") +
                        (lost ? "level-random-lost.json" : "level-09-won.json"));
-    Player game(app::Language::english, 1280, 720);
+    Player game(app::Language::en, 1280, 720);
     ASSERT_TRUE(game.clipboard().set_text({std::istreambuf_iterator<char>(file), {}}));
     game.key(app::Key::paste);
     for (int i = 0; i < 3; ++i) game.key(app::Key::plus);
@@ -166,7 +166,7 @@ TEST(Sound, AReplaySoundsAsTheGameDidToItsEnd) {
 }
 
 TEST(Sound, WhatAWindowCoversDoesNotClick) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   game.clipboard().set_text("no replay");
   app::Rect quit;
   for (const app::Box& box : game.boxes())
@@ -182,7 +182,7 @@ TEST(Sound, WhatAWindowCoversDoesNotClick) {
 }
 
 TEST(Sound, AnMInANameDoesNotMute) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   game.key(app::Key::settings);
   game.press("Players");
   game.press("Name of player 1");
@@ -196,7 +196,7 @@ TEST(Sound, AnMInANameDoesNotMute) {
 }
 
 TEST(Sound, MutesAnywhereAndSaysSo) {
-  Player game(app::Language::english, 1280, 720);
+  Player game(app::Language::en, 1280, 720);
   EXPECT_EQ(game.app().volume(), 80);
   game.key(app::Key::m);
   EXPECT_EQ(game.app().volume(), 0);

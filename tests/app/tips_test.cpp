@@ -58,13 +58,12 @@ TEST_P(Tips, AreThereForEveryButton) {
       .all();
 }
 
-INSTANTIATE_TEST_SUITE_P(InBothLanguages, Tips,
-                         testing::Combine(testing::Values(Language::english, Language::french),
+INSTANTIATE_TEST_SUITE_P(InAllLanguages, Tips,
+                         testing::Combine(testing::ValuesIn(app::all_languages()),
                                           testing::Values(1280, 720)),
                          [](const auto& test) {
-                           return std::string(std::get<0>(test.param) == Language::french ? "fr"
-                                                                                          : "en") +
-                                  "_" + std::to_string(std::get<1>(test.param));
+                           const auto [language, width] = test.param;
+                           return std::string(app::code_of(language)) + "_" + std::to_string(width);
                          });
 
 }  // namespace

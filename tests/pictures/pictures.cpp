@@ -52,11 +52,12 @@ double layers(const app::DrawList& list, Size size) {
 
 class Visitor {
  public:
-  Visitor(const std::filesystem::path& folder, Size size, bool french, std::ofstream& figures)
+  Visitor(const std::filesystem::path& folder, Size size, app::Language language,
+          std::ofstream& figures)
       : folder_(folder / (std::to_string(size.width) + "x" + std::to_string(size.height)) /
-                (french ? "fr" : "en")),
+                std::string(app::code_of(language))),
         size_(size),
-        french_(french),
+        words_(language),
         figures_(figures) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
@@ -79,8 +80,8 @@ class Visitor {
   /// A program just started, with what is kept in `store`.
   struct Game : platform::NullPlatform {
     Game(const Visitor& visitor, app::Store& store)
-        : NullPlatform(visitor.french_ ? app::Language::french : app::Language::english,
-                       visitor.size_.width, visitor.size_.height, {}, store),
+        : NullPlatform(visitor.words_.language(), visitor.size_.width, visitor.size_.height, {},
+                       store),
           fingers(visitor.size_.phone) {
       if (fingers) click({1, 1});
     }
@@ -147,9 +148,7 @@ class Visitor {
     app::Point held_;
   };
 
-  std::string say(const char* english, const char* french) const {
-    return french_ ? french : english;
-  }
+  std::string say(app::Text text) const { return words_(text); }
 
   void take(Game& game, const std::string& name) { save(name, game.app().draw(), game.picture()); }
 
@@ -163,8 +162,8 @@ class Visitor {
     }
     char line[160];
     std::snprintf(line, sizeof line, "%dx%d %s %-28s %6zu vertices %5.2f layers\n", size_.width,
-                  size_.height, french_ ? "fr" : "en", name.c_str(), list.vertices.size(),
-                  layers(list, size_));
+                  size_.height, app::code_of(words_.language()).data(), name.c_str(),
+                  list.vertices.size(), layers(list, size_));
     figures_ << line;
   }
 
@@ -179,7 +178,7 @@ class Visitor {
     take(game, "help");
     game.key(Key::right);
     take(game, "help-2");
-    game.press(say("Keys", "Touches"));
+    game.press(say(app::Text::change_keys));
     take(game, "keys");
     game.key(Key::escape);
     game.key(Key::escape);
@@ -192,10 +191,10 @@ class Visitor {
     (void)kept.save("continue-level.json", read("tests/replays/level-random-lost.json"));
     Game later(*this, kept);
     take(later, "title-later");
-    later.press(say("Billiards", "Billard"));
+    later.press(say(app::Text::billiards));
     take(later, "title-give-up");
     later.key(Key::escape);
-    later.press(say("Continue: b", "Reprendre : bill"));
+    later.press(say(app::Text::continue_table));
     take(later, "loading");
     later.pass(2s);
     take(later, "billiards-continued");
@@ -205,7 +204,7 @@ class Visitor {
     app::MemoryStore store;
     Game game(*this, store);
     game.app().teach_beginners();
-    game.press(say("Billiards", "Billard"));
+    game.press(say(app::Text::billiards));
     game.pass(600ms);
     take(game, "billiards-first-turn");
     game.pass(2400ms);
@@ -252,7 +251,7 @@ class Visitor {
     for (int i = 0; i < 12; ++i) game.key(Key::right);
     game.pass(700ms);
     take(game, "replay-middle");
-    game.press(say("Save", "Garder"));
+    game.press(say(app::Text::save_replay));
     take(game, "replay-saved");
     for (int i = 0; i < 200; ++i) game.key(Key::right);
     game.pass(20s);
@@ -266,7 +265,7 @@ class Visitor {
     while (player.steps() + 1 < steps) (void)player.step();
     app::Session session(store, game.clipboard(), {});
     app::BilliardsScreen screen(
-        app::Words(french_ ? app::Language::french : app::Language::english), session,
+        words_, session,
         app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
     const app::View view = app::View::of(size_.width, size_.height);
     screen.resize(view);
@@ -289,7 +288,7 @@ class Visitor {
       app::Settings settings = game.app().settings().get();
       settings.aiming.way = way;
       game.app().settings().set(settings);
-      game.press(say("Billiards", "Billard"));
+      game.press(say(app::Text::billiards));
       game.pass(3s);
       const auto call = game.app().screen().aim_prompt();
       if (!call) continue;
@@ -306,7 +305,7 @@ class Visitor {
   void practice() {
     app::MemoryStore store;
     Game game(*this, store);
-    game.press(say("Practice", "S’exercer"));
+    game.press(say(app::Text::practice));
     game.pass(3s);
     take(game, "practice");
     game.key(Key::up);
@@ -386,7 +385,7 @@ class Visitor {
           read(i % 2 ? "tests/replays/level-06-won.json" : "tests/replays/billiards-whole.json"));
     (void)store.save("replays/broken.json", "{");
     Game game(*this, store);
-    game.press(say("Replays", "Revoir"));
+    game.press(say(app::Text::replays));
     take(game, "replays");
     game.key(Key::escape);
     (void)game.clipboard().set_text(read("tests/replays/level-09-won.json"));
@@ -400,7 +399,7 @@ class Visitor {
     take(game, "replay-diverges");
     app::MemoryStore nothing;
     Game empty(*this, nothing);
-    empty.press(say("Replays", "Revoir"));
+    empty.press(say(app::Text::replays));
     take(empty, "replays-none");
   }
 
@@ -430,7 +429,7 @@ class Visitor {
       settings.colours = colours;
       game.app().settings().set(settings);
       take(game, name + "-title");
-      game.press(say("Billiards", "Billard"));
+      game.press(say(app::Text::billiards));
       game.pass(3s);
       if (game.pull({-9, 1})) take(game, name + "-table");
       Game other(*this, store);
@@ -455,7 +454,7 @@ class Visitor {
 
   std::filesystem::path folder_;
   Size size_;
-  bool french_;
+  app::Words words_;
   std::ofstream& figures_;
   int taken_ = 0;
 };
@@ -475,7 +474,8 @@ int main(int argc, char** argv) {
     bool wanted = argc == 2;
     for (int i = 2; i < argc; ++i) wanted = wanted || name == argv[i];
     if (!wanted) continue;
-    for (const bool french : {false, true}) Visitor(folder, size, french, figures).visit();
+    for (const app::Language language : app::all_languages())
+      Visitor(folder, size, language, figures).visit();
   }
   return 0;
 }

@@ -22,7 +22,7 @@ constexpr const char* one_throw = R"({"at": 0.5, "click": [221, 483]}
 )";
 
 struct Played : NullPlatform {
-  explicit Played(const char* script, app::Language language = app::Language::english)
+  explicit Played(const char* script, app::Language language = app::Language::en)
       : NullPlatform(language, 1280, 720) {
     const auto parsed = platform::parse_script(script);
     EXPECT_TRUE(parsed);
@@ -51,13 +51,13 @@ TEST(NullPlatform, TellsWhatIsOnScreen) {
   EXPECT_EQ(Played("").app().describe(), "Angry Balls · title screen");
   EXPECT_EQ(Played(one_shot).app().describe(),
             "Angry Balls · Player 1 watches the shot · Player 1: 0 · Player 2: 0 · balls left: 36");
-  EXPECT_EQ(Played("{\"at\":1,\"key\":\"Return\"}", app::Language::french).app().describe(),
+  EXPECT_EQ(Played("{\"at\":1,\"key\":\"Return\"}", app::Language::fr).app().describe(),
             "Angry Balls · Joueur 1 vise · Joueur 1 : 0 · Joueur 2 : 0 · boules restantes : 36");
 }
 
 TEST(NullPlatform, PrintsWhatIsOnScreenAndKeepsGamesInAStore) {
   app::MemoryStore store;
-  NullPlatform game(app::Language::english, 1280, 720, {}, store);
+  NullPlatform game(app::Language::en, 1280, 720, {}, store);
   const auto script =
       platform::parse_script(std::string(one_shot) + R"({"at": 30, "print": true})");
   ASSERT_TRUE(script);
@@ -96,7 +96,7 @@ TEST(NullPlatform, TheDemonstrationPlaysThreeTurns) {
 TEST(NullPlatform, NothingMovesOnTheTitle) { EXPECT_FALSE(Played("").app().animating()); }
 
 TEST(NullPlatform, APictureThatCannotBeWrittenIsAnError) {
-  NullPlatform game(app::Language::english, 200, 200);
+  NullPlatform game(app::Language::en, 200, 200);
   EXPECT_FALSE(game.screenshot("/nonexistent/folder/a.png"));
 }
 

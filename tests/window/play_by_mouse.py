@@ -197,7 +197,7 @@ def continue_and_replay(window, data):
 def angry_balls(window, pictures, data):
     """The window is one in which a level of 1000 × 500 px is shown pixel by pixel."""
     window.click(220, 481)
-    window.wait_for("level menu · levels: 12")
+    window.wait_for("level menu · 12 levels")
     window.click(134, 163)
     window.wait_for("Level 1: First steps")
     # A click beside the projectile, and a first click taken back, change nothing.

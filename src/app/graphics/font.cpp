@@ -5,7 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "app/graphics/embedded.hpp"
+#include "app/base/embedded.hpp"
+#include "app/base/utf8.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -17,18 +18,7 @@
 namespace app {
 namespace {
 
-constexpr int narrow_space = 0x202f;
-
-/// Takes the first code point off valid UTF-8.
-int take_code_point(std::string_view& utf8) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t size = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
-  int code = size == 1 ? lead : lead & (0xff >> (size + 1));
-  for (std::size_t i = 1; i < size && i < utf8.size(); ++i) code = code << 6 | (byte(i) & 0x3f);
-  utf8.remove_prefix(std::min(size, utf8.size()));
-  return code;
-}
+constexpr char32_t narrow_space = 0x202f;
 
 }  // namespace
 
@@ -69,13 +59,13 @@ float lay_out(const stbtt_fontinfo& info, int size, std::string_view utf8, const
   float pen = 0;
   int previous = 0;
   while (!utf8.empty()) {
-    const int code = take_code_point(utf8);
+    const char32_t code = take_code_point(utf8);
     if (code == narrow_space) {  // not in every face; a fifth of an em is its usual width
       pen += static_cast<float>(size) * 0.2f;
       previous = 0;
       continue;
     }
-    const int index = stbtt_FindGlyphIndex(&info, code);
+    const int index = stbtt_FindGlyphIndex(&info, static_cast<int>(code));
     if (previous != 0)
       pen += scale * static_cast<float>(stbtt_GetGlyphKernAdvance(&info, previous, index));
     visit(index, pen);

@@ -1,5 +1,6 @@
 #include "app/graphics/label.hpp"
 
+#include "app/base/utf8.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
 
@@ -44,12 +45,10 @@ void label_or_elide(Canvas& canvas, const Rect& box, const TextStyle& style,
 std::string elided(const Canvas& canvas, const TextStyle& style, std::string_view utf8,
                    float width) {
   if (label_width(canvas, style, utf8) <= width) return std::string(utf8);
-  const auto continues = [&] { return (static_cast<unsigned char>(utf8.back()) & 0xc0) == 0x80; };
   std::string text;
   do {
-    while (!utf8.empty() && continues()) utf8.remove_suffix(1);
     if (utf8.empty()) return text;
-    utf8.remove_suffix(1);
+    utf8 = without_last_code_point(utf8);
     text = std::string(utf8) + "…";
   } while (label_width(canvas, style, text) > width);
   return text;

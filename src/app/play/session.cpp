@@ -8,14 +8,7 @@ namespace app {
 
 Language language_of(const Session& session) {
   if (session.asked_language) return *session.asked_language;
-  switch (session.settings.get().language) {
-    case LanguageChoice::english:
-      return Language::english;
-    case LanguageChoice::french:
-      return Language::french;
-    case LanguageChoice::system:
-      break;
-  }
+  if (const auto chosen = session.settings.get().language) return *chosen;
   return session.system_language;
 }
 

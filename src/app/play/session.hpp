@@ -54,7 +54,7 @@ struct Session {
   SavedReplays saved;
   KeptSettings settings;
   Clipboard& clipboard;
-  Language system_language = Language::english;
+  Language system_language = Language::en;
   /// Asked for at this start: stronger than the settings, until the player changes them.
   std::optional<Language> asked_language;
   std::optional<FinishedGame> last_game;  ///< of billiards, since the start

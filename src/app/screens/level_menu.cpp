@@ -264,8 +264,9 @@ void LevelMenu::draw_picture(Canvas& canvas, const Rect& area, const carom::Scen
 }
 
 std::string LevelMenu::describe() const {
-  return words_(Text::menu_state, {words_(Text::product), words_(Text::level_menu),
-                                   words_.number(static_cast<int>(campaign_.levels.size()))});
+  return words_(Text::menu_state,
+                {words_(Text::product), words_(Text::level_menu),
+                 words_.count(Text::level_count, static_cast<int>(campaign_.levels.size()))});
 }
 
 }  // namespace app

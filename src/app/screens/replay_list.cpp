@@ -107,7 +107,7 @@ std::string ReplayList::fault(const Entry& entry) const {
   return words_(entry.fault == ReplayFault::other_version ? Text::old_replay : Text::bad_replay);
 }
 
-/// "Billiards · turns: 12 · 300 : 200".
+/// "Billiards · 12 turns · 300 : 200".
 std::string ReplayList::describe(const Entry& entry) const {
   if (!entry.replay) return fault(entry);
   const replay::Replay& replay = *entry.replay;
@@ -119,7 +119,7 @@ std::string ReplayList::describe(const Entry& entry) const {
   return words_(
       Text::replay_line,
       {replay.level ? words_.level_name(replay.level->name) : words_(Text::billiards),
-       words_.number(static_cast<int>(turns)),
+       words_.count(Text::turns, static_cast<int>(turns)),
        replay.level ? words_(Text::score) + " " + points
                     : words_(Text::score_pair, {points, words_.number(replay.score[1])})});
 }
@@ -172,8 +172,9 @@ void ReplayList::draw_entry(Canvas& canvas, ButtonId index) const {
 }
 
 std::string ReplayList::describe() const {
-  return words_(Text::replays_state, {words_(Text::product), words_(Text::saved_replays),
-                                      words_.number(static_cast<int>(names_.size()))});
+  return words_(Text::replays_state,
+                {words_(Text::product), words_(Text::saved_replays),
+                 words_.count(Text::replay_count, static_cast<int>(names_.size()))});
 }
 
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace app {
 namespace {
@@ -14,6 +15,13 @@ constexpr int volume_step = 10;
 template <class Choice>
 void turn(Choice& choice, int count, int by) {
   choice = static_cast<Choice>((static_cast<int>(choice) + count + by) % count);
+}
+
+/// The system's choice is before the first language.
+std::optional<Language> language_beside(std::optional<Language> language, int by) {
+  constexpr int choices = 1 + static_cast<int>(language_codes.size());
+  const int choice = ((language ? 1 + static_cast<int>(*language) : 0) + choices + by) % choices;
+  return choice == 0 ? std::nullopt : std::optional(static_cast<Language>(choice - 1));
 }
 
 template <class Choice>
@@ -40,12 +48,12 @@ constexpr SettingsRow name() {
 }
 
 constexpr std::array general{
-    SettingsRow{
-        Kind::choice, Text::set_language, Text::about_language,
-        [](const Words& words, const Settings& now) {
-          return one_of(words, now.language, {Text::as_system, Text::english, Text::french});
-        },
-        [](Settings& now, int by) { turn(now.language, 3, by); }},
+    SettingsRow{Kind::choice, Text::set_language, Text::about_language,
+                [](const Words& words, const Settings& now) {
+                  return now.language ? std::string(name_of(*now.language))
+                                      : words(Text::as_system);
+                },
+                [](Settings& now, int by) { now.language = language_beside(now.language, by); }},
     SettingsRow{Kind::amount, Text::set_volume, Text::about_volume,
                 [](const Words& words, const Settings& now) {
                   return words(Text::per_cent, {words.number(now.volume)});

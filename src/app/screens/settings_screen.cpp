@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/utf8.hpp"
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
@@ -166,12 +167,7 @@ Transition SettingsScreen::key(Key key) {
       break;
     }
     case Key::backspace:
-      if (naming)
-        while (!typed_.empty()) {
-          const bool continues = (static_cast<unsigned char>(typed_.back()) & 0xc0) == 0x80;
-          typed_.pop_back();
-          if (!continues) break;
-        }
+      if (naming) typed_.resize(without_last_code_point(typed_).size());
       break;
     case Key::space:
       if (naming) break;  // it is typed
@@ -363,10 +359,7 @@ void SettingsScreen::draw_name(Canvas& canvas, const Rect& box, const SettingsRo
     label(canvas, inside, style, elided(canvas, style, value, inside.w));
     return;
   }
-  while (label_width(canvas, style, shown) > inside.w - canvas.px(4)) {
-    do shown.remove_prefix(1);
-    while (!shown.empty() && (static_cast<unsigned char>(shown.front()) & 0xc0) == 0x80);
-  }
+  while (label_width(canvas, style, shown) > inside.w - canvas.px(4)) take_code_point(shown);
   label(canvas, inside, style, shown);
   const float x = inside.x + label_width(canvas, style, shown) + canvas.px(2);
   line(canvas.list, {x, inside.center().y - canvas.px(10)}, {x, inside.center().y + canvas.px(10)},

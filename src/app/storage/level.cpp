@@ -1,6 +1,6 @@
 #include "app/storage/level.hpp"
 
-#include "app/graphics/embedded.hpp"
+#include "app/base/embedded.hpp"
 #include "carom/fnv1a.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/trace.hpp"

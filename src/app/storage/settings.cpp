@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/base/utf8.hpp"
+
 namespace app {
 namespace {
 
@@ -12,8 +14,8 @@ using json = nlohmann::ordered_json;
 constexpr const char* version_key = "angry-balls-settings";
 constexpr int version = 1;
 
+constexpr std::string_view system_language = "system";
 // The names of choices in a file, in the order of their enumerations.
-constexpr std::array<std::string_view, 3> languages{"system", "en", "fr"};
 constexpr std::array<std::string_view, 3> motions{"system", "on", "off"};
 constexpr std::array<std::string_view, 4> palettes{"standard", "red-green", "blue-yellow",
                                                    "high-contrast"};
@@ -29,6 +31,9 @@ struct Writer {
   void operator()(const char* key, int value) const { out[key] = value; }
   void operator()(const char* key, const std::array<std::string, 2>& value) const {
     out[key] = value;
+  }
+  void operator()(const char* key, std::optional<Language> value) const {
+    out[key] = value ? code_of(*value) : system_language;
   }
   void operator()(const char* key, const KeyBindings& value) const {
     out[key] = json::object();
@@ -51,6 +56,15 @@ struct Reader {
     if (found == in.end()) return nullptr;
     ++known;
     return &*found;
+  }
+  template <class Choice, std::size_t n>
+  void choose(const json& given, Choice& value, const std::array<std::string_view, n>& of) {
+    const auto* const name =
+        given.is_string() ? std::ranges::find(of, given.get_ref<const std::string&>()) : of.end();
+    if (name == of.end())
+      sound = false;
+    else
+      value = static_cast<Choice>(name - of.begin());
   }
   void operator()(const char* key, bool& value) {
     const json* const given = find(key);
@@ -78,6 +92,10 @@ struct Reader {
       sound = sound && value[i] == name_of(value[i]);
     }
   }
+  void operator()(const char* key, std::optional<Language>& value) {
+    const json* const given = find(key);
+    if (given && *given != system_language) choose(*given, value.emplace(), language_codes);
+  }
   void operator()(const char* key, KeyBindings& value) {
     const json* const given = find(key);
     if (!given) return;
@@ -94,21 +112,14 @@ struct Reader {
   }
   template <class Choice, std::size_t n>
   void operator()(const char* key, Choice& value, const std::array<std::string_view, n>& of) {
-    const json* const given = find(key);
-    if (!given) return;
-    const auto* const name =
-        given->is_string() ? std::ranges::find(of, given->get_ref<const std::string&>()) : of.end();
-    if (name == of.end())
-      sound = false;
-    else
-      value = static_cast<Choice>(name - of.begin());
+    if (const json* const given = find(key)) choose(*given, value, of);
   }
 };
 
 /// `Any`: Settings or const Settings.
 template <class Any, class Visit>
 void visit_all(Any& settings, Visit& visit) {
-  visit("language", settings.language, languages);
+  visit("language", settings.language);
   visit("volume", settings.volume);
   visit("mute", settings.mute);
   visit("reduced-motion", settings.reduced_motion, motions);
@@ -145,27 +156,9 @@ std::optional<Settings> parse(const std::string& text) {
   return settings;
 }
 
-/// How many bytes of `utf8` are its first code point, which is whole and can be shown; 0 if not.
-std::size_t printable_size(std::string_view utf8) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
-  const unsigned lead = byte(0);
-  const std::size_t size = lead < 0x80   ? 1
-                           : lead < 0xc2 ? 0
-                           : lead < 0xe0 ? 2
-                           : lead < 0xf0 ? 3
-                           : lead < 0xf5 ? 4
-                                         : 0;
-  if (size == 0 || size > utf8.size()) return 0;
-  if (size == 1) return lead < 0x20 || lead == 0x7f ? 0 : 1;
-  unsigned code = lead & (0xffU >> (size + 1));
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3fU);
-  }
-  constexpr std::array<unsigned, 5> least{0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xd800 && code < 0xe000;
-  const bool control = code < 0xa0 || code == 0x2028 || code == 0x2029;
-  return code < least[size] || code > 0x10ffff || surrogate || control ? 0 : size;
+/// Whether it can be shown within a line.
+bool printable(char32_t code) {
+  return code >= 0x20 && (code < 0x7f || code >= 0xa0) && code != 0x2028 && code != 0x2029;
 }
 
 }  // namespace
@@ -174,10 +167,10 @@ std::string name_of(std::string_view typed, bool unfinished) {
   std::string name;
   std::size_t count = 0;
   while (!typed.empty() && count < longest_name) {
-    const std::size_t size = printable_size(typed);
-    const std::string_view point = typed.substr(0, std::max<std::size_t>(size, 1));
+    const CodePoint first = first_code_point(typed);
+    const std::string_view point = typed.substr(0, std::max<std::size_t>(first.size, 1));
     typed.remove_prefix(point.size());
-    if (size == 0 || (name.empty() && point == " ")) continue;
+    if (first.size == 0 || !printable(first.code) || (name.empty() && point == " ")) continue;
     name += point;
     ++count;
   }

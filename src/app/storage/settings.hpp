@@ -11,10 +11,10 @@
 #include "app/input/key_bindings.hpp"
 #include "app/storage/aim_settings.hpp"
 #include "app/storage/store.hpp"
+#include "app/text/text.hpp"
 
 namespace app {
 
-enum class LanguageChoice : std::uint8_t { system, english, french };
 /// Less motion than the games like to show.
 enum class ReducedMotion : std::uint8_t { system, on, off };
 /// Who has the first turn of a game of billiards.
@@ -30,8 +30,8 @@ inline constexpr std::size_t longest_name = 24;  ///< code points
 
 /// What the player has chosen. A plain value; the defaults are those of the first start.
 struct Settings {
-  LanguageChoice language = LanguageChoice::system;
-  int volume = 80;  ///< per cent, 0 to most_volume
+  std::optional<Language> language;  ///< the system's if none
+  int volume = 80;                   ///< per cent, 0 to most_volume
   bool mute = false;
   ReducedMotion reduced_motion = ReducedMotion::system;
   bool screen_shake = false;

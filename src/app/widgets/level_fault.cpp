@@ -1,90 +1,68 @@
 #include "app/widgets/level_fault.hpp"
 
 #include <array>
+#include <optional>
 #include <string_view>
-#include <utility>
 
 namespace app {
 namespace {
 
-/// How the engine begins, and what that is in French. What follows stays, unless `alone`: names,
-/// numbers, pieces of the file.
-struct Phrase {
-  std::string_view english;
-  std::string_view french;
-  bool alone = false;
-};
-
-// The first that fits counts.
+// In the order in which they are tried.
 constexpr std::array problems{
-    Phrase{"is missing", "manque"},
-    Phrase{"is an unknown key", "est une clé inconnue"},
-    Phrase{"is given twice", "est donné deux fois"},
-    Phrase{"is empty", "est vide"},
-    Phrase{"is not valid JSON", "n’est pas du JSON valable", true},
-    Phrase{"is nested too deeply", "est imbriqué trop profondément"},
-    Phrase{"is not in UTF-8", "n’est pas en UTF-8"},
-    Phrase{"is not there any more", "n’est plus là"},
-    Phrase{"is an object", "est un objet"},
-    Phrase{"is an array", "est une liste"},
-    Phrase{"is ", "vaut "},
-    Phrase{"have no projectile", "n’ont pas de projectile"},
-    Phrase{"have no enemy", "n’ont pas d’ennemi"},
-    Phrase{"has ", "a trop d’éléments", true},
-    Phrase{"moves at ", "va à "},
-    Phrase{"sticks out of the solid ", "dépasse d’un bord fermé", true},
-    Phrase{"overlaps obstacle ", "chevauche un obstacle", true},
-    Phrase{"cannot be opened", "ne s’ouvre pas", true},
+    Text::fault_missing, Text::fault_unknown_key,   Text::fault_twice,    Text::fault_empty,
+    Text::fault_json,    Text::fault_nested,        Text::fault_utf8,     Text::fault_gone,
+    Text::fault_object,  Text::fault_array,         Text::fault_newer,    Text::fault_second_lead,
+    Text::fault_is,      Text::fault_no_projectile, Text::fault_no_enemy, Text::fault_too_many,
+    Text::fault_speed,   Text::fault_sticks_out,    Text::fault_overlaps, Text::fault_unopened,
 };
-
 constexpr std::array expectations{
-    Phrase{"a number greater than ", "un nombre supérieur à "},
-    Phrase{"a number from ", "un nombre de "},
-    Phrase{"a number of at least ", "un nombre d’au moins "},
-    Phrase{"a whole number from ", "un nombre entier de "},
-    Phrase{"one of ", "l’une de "},
-    Phrase{"at most one cue ball or projectile, and that as the first ball",
-           "une boule blanche ou un projectile au plus, et en premier"},
-    Phrase{"at most ", "au plus "},
+    Text::fault_want_greater_to, Text::fault_want_greater,  Text::fault_want_from_to,
+    Text::fault_want_from_most,  Text::fault_want_least,    Text::fault_want_whole,
+    Text::fault_want_one_of,     Text::fault_want_one_lead, Text::fault_want_most,
 };
-// What stands further on.
-constexpr std::array problem_joints{Phrase{", newer than this program", ", plus récent que le jeu"},
-                                    Phrase{", but ball 0 is ", ", mais la boule 0 est déjà "},
-                                    Phrase{" already", ""}};
-constexpr std::array expected_joints{Phrase{" and at most ", " et d’au plus "},
-                                     Phrase{" to ", " à "}};
 
-template <class Phrases>
-void join_in_french(std::string& text, const Phrases& joints) {
-  for (const Phrase& joint : joints)
-    if (const auto at = text.find(joint.english); at != std::string::npos)
-      text.replace(at, joint.english.size(), joint.french);
+/// What stands for {0} and {1} of the pattern in `text`; nothing if the text is another.
+std::optional<std::array<std::string_view, 2>> values_in(std::string_view text,
+                                                         std::string_view pattern) {
+  std::array<std::string_view, 2> values;
+  for (std::string_view& value : values) {
+    const std::size_t sign = pattern.find('{');
+    if (!text.starts_with(pattern.substr(0, sign))) return std::nullopt;
+    if (sign == std::string_view::npos) break;
+    text.remove_prefix(sign);
+    pattern.remove_prefix(sign + 3);
+    const std::string_view next = pattern.substr(0, pattern.find('{'));
+    const std::size_t end = next.empty() ? text.size() : text.find(next);
+    if (end == std::string_view::npos) return std::nullopt;
+    value = text.substr(0, end);
+    text.remove_prefix(end);
+  }
+  return text == pattern ? std::optional(values) : std::nullopt;
 }
 
-/// Whether it could be said in French.
-template <class Phrases>
-bool say_in_french(std::string& text, const Phrases& phrases) {
-  for (const Phrase& phrase : phrases)
-    if (text.starts_with(phrase.english)) {
-      text.replace(0, phrase.alone ? text.size() : phrase.english.size(), phrase.french);
-      return true;
-    }
-  return false;
+/// The engine's sentence in the player's language; empty if none of the texts is that sentence.
+template <std::size_t n>
+std::string translated(const Words& words, std::string_view sentence,
+                       const std::array<Text, n>& texts) {
+  const Words english(Language::en);
+  for (const Text text : texts)
+    if (const auto values = values_in(sentence, english(text, {"{0}", "{1}"})))
+      return words(text, {(*values)[0], (*values)[1]});
+  return {};
 }
 
 }  // namespace
 
 std::string problem_of(const Words& words, const Level& level) {
-  if (level.scene || words.language() == Language::english) return level.problem;
+  if (level.scene || words.language() == Language::en) return level.problem;
   carom::Error error = level.scene.errors().front();
-  std::string expected = std::exchange(error.expected, {});
-  say_in_french(error.problem, problems);
-  join_in_french(error.problem, problem_joints);
-  std::string text = carom::to_string(error, level.file);
-  // What is not known in French is left out.
-  if (!say_in_french(expected, expectations)) return text;
-  join_in_french(expected, expected_joints);
-  return text + " ; attendu : " + expected;
+  const std::string problem = translated(words, error.problem, problems);
+  const std::string expected = translated(words, error.expected, expectations);
+  if (!problem.empty()) error.problem = problem;
+  error.expected.clear();
+  const std::string text = carom::to_string(error, level.file);
+  // An expectation that has no translation is left out.
+  return expected.empty() ? text : words(Text::fault_with_expected, {text, expected});
 }
 
 }  // namespace app
