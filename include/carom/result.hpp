@@ -26,7 +26,8 @@ struct Error {
 /// Never empty inside a failed Result.
 using Errors = std::vector<Error>;
 
-/// "file:line:column: /pointer: problem; expected …", parts that are unknown left out.
+/// "file:line:column: /pointer: problem; expected …", parts that are unknown left out. One line,
+/// whatever the file and its name contain: control characters and the like are written out.
 std::string to_string(const Error& error, std::string_view file = {});
 
 struct Done {};

@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/options.hpp"
 #include "files/files.hpp"
 #include "platform/data_folder.hpp"
 #include "platform/level_files.hpp"
@@ -25,8 +28,8 @@ constexpr int bad_input = 2;
 constexpr int cannot_write = 3;
 constexpr int no_display = 4;
 
-constexpr int least_side = 64;
-constexpr int greatest_side = 8192;
+constexpr std::uint64_t least_side = 64;
+constexpr std::uint64_t greatest_side = 8192;
 
 constexpr const char* examples = R"(Examples:
   angry-balls                       play in a window (F11: full screen)
@@ -78,14 +81,15 @@ std::string environment_locale() {
 
 /// "1280x720" → 1280, 720; refuses anything else.
 std::pair<int, int> parse_size(const std::string& text) {
-  int width = 0, height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest) != 2 || width < least_side ||
-      height < least_side || width > greatest_side || height > greatest_side)
-    throw CLI::ValidationError("--size", "is " + text +
-                                             "; expected WIDTHxHEIGHT, each from 64 to "
-                                             "8192 (px), such as 1280x720");
-  return {width, height};
+  const std::size_t x = std::min(text.find('x'), text.size());
+  const auto width = cli::read_whole(std::string_view(text).substr(0, x));
+  const auto height = cli::read_whole(std::string_view(text).substr(std::min(x + 1, text.size())));
+  const auto sound = [](const std::optional<std::uint64_t>& side) {
+    return side && *side >= least_side && *side <= greatest_side;
+  };
+  if (!sound(width) || !sound(height))
+    cli::refuse("--size", text, "WIDTHxHEIGHT, each from 64 to 8192 (px), such as 1280x720");
+  return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
 int report(const carom::Errors& errors, std::string_view file, int status) {
@@ -157,37 +161,46 @@ int play_in_window(const Options& options, app::StartLanguage language,
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App cli("Angry Balls: billiards for two, and levels to break to pieces.", "angry-balls");
-  cli.add_option("LEVELS", options.levels, "Levels of your own: files, and folders of *.json files")
+  CLI::App program("Angry Balls: billiards for two, and levels to break to pieces.", "angry-balls");
+  cli::show_failures(program);
+  program
+      .add_option("LEVELS", options.levels,
+                  "Levels of your own: files, and folders of *.json files")
       ->type_name("");
-  cli.footer(examples);
-  cli.set_version_flag("--version", ANGRY_BALLS_VERSION);
+  program.footer(examples);
+  program.set_version_flag("--version", ANGRY_BALLS_VERSION);
   auto* script =
-      cli.add_option("--script", options.script,
-                     "Play the inputs in FILE (\"-\": standard input), without a display")
+      program
+          .add_option("--script", options.script,
+                      "Play the inputs in FILE (\"-\": standard input), without a display")
           ->type_name("FILE");
-  cli.add_option("--screenshot", options.screenshot,
-                 "Write the script's last picture to FILE (PNG)")
+  program
+      .add_option("--screenshot", options.screenshot,
+                  "Write the script's last picture to FILE (PNG)")
       ->type_name("FILE")
       ->needs(script);
-  cli.add_option("--replay", options.replay, "Show the replay in FILE (\"-\": standard input)")
+  program.add_option("--replay", options.replay, "Show the replay in FILE (\"-\": standard input)")
       ->type_name("FILE");
-  cli.add_option(
-         "--data", options.data,
-         "Keep settings, scores, games and replays in FOLDER (a script: nowhere unless given)")
+  program
+      .add_option(
+          "--data", options.data,
+          "Keep settings, scores, games and replays in FOLDER (a script: nowhere unless given)")
       ->type_name("FOLDER");
-  cli.add_option_function<std::string>(
-         "--size", [&](const std::string& text) { options.size = parse_size(text); },
-         "Size of the window, px (default 1280x720)")
+  program
+      .add_option_function<std::string>(
+          "--size", [&](const std::string& text) { options.size = parse_size(text); },
+          "Size of the window, px (default 1280x720)")
       ->type_name("WxH");
   const std::vector<std::string> languages(app::language_codes.begin(), app::language_codes.end());
-  cli.add_option("--lang", options.language, "Language (default: the settings', the environment's)")
+  program
+      .add_option("--lang", options.language,
+                  "Language (default: the settings', the environment's)")
       ->check(CLI::IsMember(languages))
       ->type_name(CLI::detail::join(languages, "|"));
   try {
-    cli.parse(argc, argv);
+    program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? done : bad_input;
+    return program.exit(error) == 0 ? done : bad_input;
   }
 
   const bool asked = !options.language.empty();

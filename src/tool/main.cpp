@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cli/options.hpp"
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/level_link.hpp"
@@ -12,6 +13,7 @@
 
 int main(int argc, char** argv) {
   CLI::App carom{"A deterministic 2D ball-physics engine on the command line.", "carom"};
+  cli::show_failures(carom);
   carom.require_subcommand(0, 1);
   carom.footer(
       "Examples:\n"

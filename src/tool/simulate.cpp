@@ -13,6 +13,7 @@
 
 #include "carom/trace.hpp"
 #include "carom/world.hpp"
+#include "cli/options.hpp"
 #include "files/files.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
@@ -145,12 +146,6 @@ int simulate(const SimulateOptions& options) {
 }  // namespace
 
 void add_simulate(CLI::App& carom, int& status) {
-  // CLI11 alone would take -3 for a number near 2^64.
-  const CLI::Validator whole_number(
-      [](const std::string& text) {
-        return text.starts_with('-') ? "must be a whole number from 0 on" : std::string();
-      },
-      {});
   // Shared with the callback, which runs after this function has returned.
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = carom.add_subcommand("simulate", "Run a scene and tell how it ended.");
@@ -158,8 +153,7 @@ void add_simulate(CLI::App& carom, int& status) {
       ->required()
       ->option_text("SCENE");
   CLI::Option* steps =
-      command->add_option("--steps", options->steps, "Run exactly N steps of 0.01 s")
-          ->check(whole_number)
+      cli::add_whole(*command, "--steps", options->steps, "Run exactly N steps of 0.01 s")
           ->option_text("N");
   CLI::Option* until_rest =
       command
@@ -168,16 +162,12 @@ void add_simulate(CLI::App& carom, int& status) {
                      "hole (the default)")
           ->option_text(" ")
           ->excludes(steps);
-  command
-      ->add_option("--max-steps", options->max_steps,
-                   "With --until-rest: stop after N steps at the latest, and say so")
-      ->check(whole_number)
+  cli::add_whole(*command, "--max-steps", options->max_steps,
+                 "With --until-rest: stop after N steps at the latest, and say so")
       ->option_text("N [1000000]")
       ->excludes(steps);
-  command
-      ->add_option("--throw", options->launch,
-                   "First give the projectile, or cue ball, this velocity in px/s")
-      ->delimiter(',')
+  cli::add_vector(*command, "--throw", options->launch,
+                  "First give the projectile, or cue ball, this velocity in px/s")
       ->option_text("VX,VY");
   command
       ->add_option("--broad-phase", options->broad_phase,
@@ -185,12 +175,10 @@ void add_simulate(CLI::App& carom, int& status) {
                    "changes the speed only; without it what is quicker is taken")
       ->check(CLI::IsMember({"pairs", "quadtree"}))
       ->option_text("pairs|quadtree");
-  command
-      ->add_option(
-          "--threads", options->threads,
-          "How many threads a step may use, from 20000 balls on (default 1). It changes the "
-          "speed only")
-      ->check(CLI::Range(1, carom::max_threads))
+  cli::add_whole(*command, "--threads", options->threads,
+                 "How many threads a step may use, from 20000 balls on (default 1). It changes the "
+                 "speed only",
+                 1, carom::max_threads)
       ->option_text("N");
   command->add_flag("--no-skip", options->no_skip,
                     "Test every step for what may meet, even where it is known that nothing can. "

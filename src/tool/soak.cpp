@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/options.hpp"
 #include "replay/replay_text.hpp"
 #include "soak/random_game.hpp"
 #include "tool/exit_status.hpp"
@@ -58,22 +59,12 @@ int soak(const SoakOptions& options) {
 void add_soak(CLI::App& carom, int& status) {
   // Shared with the callback, which runs after this function has returned.
   const auto options = std::make_shared<SoakOptions>();
-  // CLI11 alone would take -3 for a number near 2^64.
-  const CLI::Validator whole_number(
-      [](const std::string& text) {
-        return text.starts_with('-') ? "must be a whole number from 0 on" : std::string();
-      },
-      {});
   CLI::App* command =
       carom.add_subcommand("soak", "Play random games and check whatever must always hold.");
-  command->add_option("--games", options->games, "How many")
-      ->check(whole_number)
-      ->option_text("N [100]");
-  command
-      ->add_option("--seed", options->seed,
-                   "The first game's; each further one has the next. The same seed gives the same "
-                   "game")
-      ->check(whole_number)
+  cli::add_whole(*command, "--games", options->games, "How many")->option_text("N [100]");
+  cli::add_whole(*command, "--seed", options->seed,
+                 "The first game's; each further one has the next. The same seed gives the same "
+                 "game")
       ->option_text("S [1]");
   command
       ->add_option("--kind", options->kind,
