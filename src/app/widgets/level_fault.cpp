@@ -77,9 +77,11 @@ bool say_in_french(std::string& text, const Phrases& phrases) {
 std::string problem_of(const Words& words, const Level& level) {
   if (level.scene || words.language() == Language::english) return level.problem;
   carom::Error error = level.scene.errors().front();
-  std::string expected = std::exchange(error.expected, {});
-  say_in_french(error.problem, problems);
-  join_in_french(error.problem, problem_joints);
+  std::string expected = carom::to_string(std::exchange(error.expected, {}));
+  std::string problem = carom::to_string(error.problem);
+  say_in_french(problem, problems);
+  join_in_french(problem, problem_joints);
+  error.problem = problem;
   std::string text = carom::to_string(error, level.file);
   // What is not known in French is left out.
   if (!say_in_french(expected, expectations)) return text;
