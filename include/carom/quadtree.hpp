@@ -43,7 +43,8 @@ class ThreadPool;
 class Quadtree {
  public:
   /// Takes the discs, which are named by their index in these three arrays of equal length, at most
-  /// 2³¹ of them. Centres (px) may be anywhere, radii (px) must be positive. The tree goes on
+  /// 2³¹ of them. Centres (px) may be anywhere, radii (px) must be from min_size to
+  /// max_quantity (scene.hpp). The tree goes on
   /// reading the arrays: they must stay where they are as long as it is asked.
   void build(std::span<const double> x, std::span<const double> y, std::span<const double> radius);
 
@@ -72,13 +73,13 @@ class Quadtree {
     friend bool operator==(const Square&, const Square&) = default;
   };
   /// Each once, by level, then row by row from below. O(n log n). A centre on a boundary may count
-  /// to either side; those beyond 2⁵⁰ sides from the origin are shown there.
+  /// to either side; those beyond 2⁴⁰ sides from the origin are shown there.
   std::vector<Square> squares() const;
 
  private:
   friend class QuadtreeIndex;
   friend class QuadtreeSearch;
-  static constexpr std::size_t max_depths = 32;  ///< of levels, each with half the side
+  static constexpr std::size_t max_depths = 42;  ///< of levels, each with half the side
 
   struct Level {
     int depth = 0;                 ///< 0: the coarsest that could be

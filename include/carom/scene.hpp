@@ -15,7 +15,11 @@ namespace carom {
 inline constexpr std::size_t max_balls = 10'000'000;
 inline constexpr std::size_t max_fixtures = 100'000;  ///< holes, and obstacles, each
 inline constexpr double max_speed = 100'000;          ///< px/s
-inline constexpr double max_quantity = 1e9;  ///< lengths (px), gravity and hole pull (px/s²)
+/// Lengths (px), gravity and hole pull (px/s²), damage_per_speed.
+inline constexpr double max_quantity = 1e9;
+/// Radii, heights and the play area's size (px). A coordinate is up to 10¹² times as large, and
+/// what rounding makes of it is far below all margins by which pairs are found.
+inline constexpr double min_size = 0.001;
 inline constexpr int max_throws = 1000;
 
 inline constexpr double infinite_solidity = std::numeric_limits<double>::infinity();
@@ -38,7 +42,7 @@ struct Ball {
   Vec2 position{};                 ///< px, the centre
   Vec2 velocity{};                 ///< px/s, at most max_speed long when given
   Vec2 acceleration{};             ///< px/s², what acts in the next step's move; zero at the start
-  double radius = default_radius;  ///< px, > 0
+  double radius = default_radius;  ///< px, ≥ min_size
   /// What shocks wear down; below 0 the ball is destroyed. ≥ 0, or infinite (the default, and
   /// always for a projectile) (§2.1.1).
   double solidity = infinite_solidity;
@@ -49,7 +53,7 @@ struct Ball {
 /// A disc that pulls balls and pockets those wholly inside it (§1.1.3, §1.2.5).
 struct Hole {
   Vec2 position{};     ///< px, the centre
-  double radius = 16;  ///< px, > 0 (§1.4.2)
+  double radius = 16;  ///< px, ≥ min_size (§1.4.2)
 
   friend bool operator==(const Hole&, const Hole&) = default;
 };
@@ -57,8 +61,8 @@ struct Hole {
 /// An indestructible wall planted in the floor, capped by a fixed disc (§2.1.2).
 struct Obstacle {
   double x = 0;         ///< px, the middle of the wall
-  double height = 120;  ///< px, > 0, the altitude of the cap's centre
-  double radius = 12;   ///< px, > 0, the cap's radius and half the wall's width
+  double height = 120;  ///< px, ≥ min_size, the altitude of the cap's centre
+  double radius = 12;   ///< px, ≥ min_size, the cap's radius and half the wall's width
 
   friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
@@ -80,8 +84,8 @@ struct Edges {
 /// A whole world as data: what a scene file or a level file says (spec §9, §1.1.4, §2.1.3).
 struct Scene {
   std::string name{};
-  double width = 800;           ///< px, > 0
-  double height = 400;          ///< px, > 0
+  double width = 800;           ///< px, ≥ min_size
+  double height = 400;          ///< px, ≥ min_size
   Edges edges{};                ///< all solid
   double friction = 0.995;      ///< factor on every velocity per step, in (0, 1] (§1.1.4)
   double gravity = 0;           ///< px/s² downwards, ≥ 0 (§2.2.1)
@@ -92,11 +96,16 @@ struct Scene {
   std::vector<Hole> holes{};    ///< §1.1.3
   std::vector<Obstacle> obstacles{};  ///< §2.1.2
   /// A lead (cue ball or projectile), if any, must be ball 0. Balls may overlap each other, but no
-  /// obstacle and no solid edge.
+  /// obstacle and no solid edge, and not in more than max_overlaps() pairs. Nor may centres lie in
+  /// holes in more.
   std::vector<Ball> balls{};
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };
+
+/// How many pairs of this many balls may overlap at the start: more could be resolved, but a single
+/// step would take minutes.
+constexpr std::size_t max_overlaps(std::size_t balls) { return 20 * balls + 10'000; }
 
 /// All that is wrong with a scene's values (pointers as in its file), at most max_errors of them;
 /// empty when it is sound.

@@ -4,8 +4,10 @@
 #include <cmath>
 
 // Every file of the engine includes this one: the same scene must give the same bits everywhere.
-#if defined(__FAST_MATH__)
-#error "carom must not be compiled with -ffast-math"
+// What compilers do not tell by a macro, arithmetic.hpp finds out when the program runs.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "carom must not be compiled with -ffast-math or a part of it"
 #endif
 #if FLT_EVAL_METHOD != 0
 #error "carom needs arithmetic in plain binary64, without excess precision"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "carom/arithmetic.hpp"
 #include "carom/internal/quadtree_search.hpp"
 #include "carom/internal/thread_pool.hpp"
 
@@ -41,6 +42,7 @@ double largest_of(std::span<const double> numbers) {
 
 void Quadtree::build(std::span<const double> x, std::span<const double> y,
                      std::span<const double> radius) {
+  const ExactArithmetic exact;
   x_ = x;
   y_ = y;
   radius_ = radius;
@@ -257,14 +259,16 @@ void Quadtree::moved(std::size_t i) {
   const auto outside = [&](double position, std::int64_t coordinate, int direction) {
     const double low = static_cast<double>(coordinate) * level.side;
     if (direction == 0) return 0.0;
-    return direction < 0 ? position - low : low + level.side - position;
+    const double out = direction < 0 ? position - low : low + level.side - position;
+    // Far away a position is not in the square that it counts to, and none is next to that one.
+    return out >= -1e-3 * level.side ? out : std::numeric_limits<double>::infinity();
   };
   for (const int up : {-1, 0, 1})
     for (const int right : {-1, 0, 1})
       if (cell(level, {column + right, row + up}) == home) {
         const double out = std::max(outside(x_[i], column, right), outside(y_[i], row, up));
         if (!(out <= level.side)) continue;
-        level.slack = std::max(level.slack, out + level.side * 1e-6);
+        level.slack = std::max(level.slack, out + level.side * 1e-3);
         return;
       }
   if (strays_.size() < max_strays)
@@ -274,6 +278,7 @@ void Quadtree::moved(std::size_t i) {
 }
 
 void Quadtree::query_disc(Vec2 centre, double radius, std::vector<std::uint32_t>& found) const {
+  const ExactArithmetic exact;
   found.clear();
   QuadtreeSearch(*this).near(centre.x, centre.y, radius, 1, [&](std::uint32_t i) {
     const double sum = radius_[i] + radius;
@@ -283,6 +288,7 @@ void Quadtree::query_disc(Vec2 centre, double radius, std::vector<std::uint32_t>
 }
 
 void Quadtree::query_box(Vec2 low, Vec2 high, std::vector<std::uint32_t>& found) const {
+  const ExactArithmetic exact;
   found.clear();
   QuadtreeSearch(*this).box(low, high, 1, [&](std::uint32_t i) {
     const Vec2 centre{x_[i], y_[i]};
@@ -294,6 +300,7 @@ void Quadtree::query_box(Vec2 low, Vec2 high, std::vector<std::uint32_t>& found)
 }
 
 void Quadtree::overlapping_pairs(std::vector<Pair>& pairs) const {
+  const ExactArithmetic exact;
   pairs.clear();
   const auto add = [&](std::uint32_t i, std::uint32_t j) {
     if (i == j) return;

@@ -1,10 +1,14 @@
 #include "carom/internal/scene_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utf8cpp/utf8/core.h>
 #include <utility>
 
+#include "carom/arithmetic.hpp"
+#include "carom/internal/arithmetic_check.hpp"
+#include "carom/internal/quadtree_search.hpp"
 #include "carom/internal/scene_fields.hpp"
 #include "json/number_text.hpp"
 
@@ -24,12 +28,148 @@ std::string number_text(double number) {
   return text;
 }
 
+// Stage 5's test of a step (spec §2).
+bool overlaps(const Obstacle& obstacle, Vec2 position, double radius) {
+  const double reach = obstacle.radius + radius;
+  return position.y < obstacle.height
+             ? std::abs(position.x - obstacle.x) < reach
+             : length(position - Vec2{obstacle.x, obstacle.height}) < reach;
+}
+
+std::optional<Error> edge_error(const Scene& fixed, Vec2 position, double radius,
+                                std::string pointer) {
+  using enum MessageCode;
+  struct Side {
+    Edge edge;
+    bool sticks_out;
+    MessageCode problem;
+    MessageCode expected;
+    double limit;
+  };
+  const auto& [x, y] = position;
+  const auto& [width, height] = Vec2{fixed.width, fixed.height};
+  const Side sides[] = {
+      {fixed.edges.left, x - radius < 0, sticks_out_left, x_at_least, radius},
+      {fixed.edges.right, x + radius > width, sticks_out_right, x_at_most, width - radius},
+      {fixed.edges.bottom, y - radius < 0, sticks_out_bottom, y_at_least, radius},
+      {fixed.edges.top, y + radius > height, sticks_out_top, y_at_most, height - radius},
+  };
+  for (const Side& side : sides)
+    if (side.edge == Edge::solid && side.sticks_out)
+      return Error{.pointer = std::move(pointer),
+                   .problem = side.problem,
+                   .expected = {side.expected, {number_text(side.limit)}}};
+  return std::nullopt;
+}
+
+Error obstacle_error(const Scene& fixed, std::size_t n, std::string pointer) {
+  const Obstacle& obstacle = fixed.obstacles[n];
+  return {.pointer = std::move(pointer),
+          .problem = {MessageCode::overlaps_obstacle,
+                      {std::to_string(n), number_text(obstacle.x), number_text(obstacle.height),
+                       number_text(obstacle.radius)}},
+          .expected = MessageCode::place_outside_obstacles};
+}
+
+// What the balls of a scene whose numbers are sound lie upon, by the quadtree.
+class Neighbours {
+ public:
+  Neighbours(const Scene& scene, std::vector<std::uint32_t> balls)
+      : scene_(scene), index_(std::move(balls)) {
+    build();
+  }
+
+  /// Whether more than `most` pairs of balls overlap. Stops when it knows.
+  bool more_pairs_than(std::size_t most) {
+    if (x_.size() * (x_.size() - 1) / 2 <= most) return false;
+    std::size_t pairs = 0;
+    const QuadtreeSearch search(tree_);
+    for (std::size_t i = 0; i < x_.size() && pairs <= most; ++i) {
+      found_.clear();
+      search.near(x_[i], y_[i], radius_[i], 1, [&](std::uint32_t k) {
+        const double sum = radius_[i] + radius_[k];
+        if (k < i && length_squared(Vec2{x_[k] - x_[i], y_[k] - y_[i]}) < sum * sum)
+          found_.push_back(k);
+      });
+      std::sort(found_.begin(), found_.end());
+      pairs += static_cast<std::size_t>(std::unique(found_.begin(), found_.end()) - found_.begin());
+    }
+    return pairs > most;
+  }
+
+  /// Whether more than `most` pairs of a hole and a ball's centre in it. Stops when it knows.
+  bool more_in_holes_than(std::size_t most) {
+    if (x_.size() * scene_.holes.size() <= most) return false;
+    std::size_t pairs = 0;
+    for (const Hole& hole : scene_.holes) {
+      const Vec2 reach{hole.radius, hole.radius};
+      tree_.query_box(hole.position - reach, hole.position + reach, found_);
+      for (const std::uint32_t i : found_)
+        if (length(Vec2{x_[i], y_[i]} - hole.position) < hole.radius) ++pairs;
+      if (pairs > most) return true;
+    }
+    return false;
+  }
+
+  /// By ball of the scene the first obstacle that it overlaps, or the number of obstacles.
+  std::vector<std::uint32_t> first_obstacles() {
+    const auto none = static_cast<std::uint32_t>(scene_.obstacles.size());
+    std::vector<std::uint32_t> first(scene_.balls.size(), none);
+    // Balls that lie in a wall already are met again and again: those are left out now and then.
+    std::size_t in_vain = 0;
+    for (std::uint32_t n = 0; n < none && !index_.empty(); ++n) {
+      const Obstacle& obstacle = scene_.obstacles[n];
+      if (obstacle.height + obstacle.radius < lowest_) continue;
+      tree_.query_box({obstacle.x - obstacle.radius, lowest_},
+                      {obstacle.x + obstacle.radius, obstacle.height + obstacle.radius}, found_);
+      for (const std::uint32_t i : found_) {
+        std::uint32_t& known = first[index_[i]];
+        if (known != none)
+          ++in_vain;
+        else if (overlaps(obstacle, {x_[i], y_[i]}, radius_[i]))
+          known = n;
+      }
+      if (in_vain <= index_.size()) continue;
+      in_vain = 0;
+      std::erase_if(index_, [&](std::uint32_t ball) { return first[ball] != none; });
+      build();
+    }
+    return first;
+  }
+
+ private:
+  void build() {
+    x_.resize(index_.size());
+    y_.resize(index_.size());
+    radius_.resize(index_.size());
+    for (std::size_t i = 0; i < index_.size(); ++i) {
+      const Ball& ball = scene_.balls[index_[i]];
+      x_[i] = ball.position.x;
+      y_[i] = ball.position.y;
+      radius_[i] = ball.radius;
+    }
+    lowest_ = max_quantity;
+    for (std::size_t i = 0; i < y_.size(); ++i) lowest_ = std::min(lowest_, y_[i] - radius_[i]);
+    tree_ = {};
+    tree_.build(x_, y_, radius_);
+  }
+
+  const Scene& scene_;
+  std::vector<std::uint32_t> index_;  // in the scene, of each ball here
+  std::vector<double> x_, y_, radius_;
+  double lowest_ = 0;  // px, no ball reaches further down
+  Quadtree tree_;
+  std::vector<std::uint32_t> found_;
+};
+
 class Checker {
  public:
   Checker(const Scene& scene, const std::function<void(Error)>& report)
       : scene_(scene), report_(report) {}
 
   void run() {
+    if (!arithmetic_is_exact() || !step_arithmetic_is_exact())
+      report_({.problem = MessageCode::is_inexact, .expected = MessageCode::exact_arithmetic});
     check_name();
     numbers(scene_fields, scene_, [] { return std::string(); });
     fixed_is_sound_ = contains(size_range, scene_.width) && contains(size_range, scene_.height);
@@ -37,27 +177,61 @@ class Checker {
       report_({.pointer = "/throws",
                .problem = is(scene_.throws),
                .expected = expectation(scene_fields[index_of(scene_fields, "throws")])});
-    each("/holes", scene_.holes, max_fixtures,
-         [&](const Hole& hole, auto pointer) { numbers(hole_fields, hole, pointer); });
+    each("/holes", scene_.holes, max_fixtures, [&](const Hole& hole, auto pointer) {
+      if (!numbers(hole_fields, hole, pointer)) fixed_is_sound_ = false;
+    });
     each("/obstacles", scene_.obstacles, max_fixtures, [&](const Obstacle& obstacle, auto pointer) {
       if (!numbers(obstacle_fields, obstacle, pointer)) fixed_is_sound_ = false;
     });
+    if (scene_.balls.size() <= max_balls && scene_.obstacles.size() <= max_fixtures &&
+        scene_.holes.size() <= max_fixtures)
+      find_neighbours();
     each("/balls", scene_.balls, max_balls,
          [&](const Ball& ball, auto pointer) { check_ball(ball, pointer); });
   }
 
  private:
-  static std::string is(double number) { return "is " + number_text(number); }
+  static Message is(double number) { return {MessageCode::is, {number_text(number)}}; }
+
+  void find_neighbours() {
+    const std::size_t balls = scene_.balls.size();
+    const std::size_t most = max_overlaps(balls);
+    if (balls * (balls - std::min<std::size_t>(balls, 1)) / 2 <= most &&
+        balls * scene_.holes.size() <= most && scene_.obstacles.empty())
+      return;
+    std::vector<std::uint32_t> sound;
+    for (const Ball& ball : scene_.balls)
+      if (is_sound(ball)) sound.push_back(static_cast<std::uint32_t>(&ball - scene_.balls.data()));
+    if (sound.empty()) return;
+    Neighbours neighbours(scene_, std::move(sound));
+    const auto report = [&](MessageCode problem) {
+      report_({.pointer = "/balls",
+               .problem = {problem, {std::to_string(most)}},
+               .expected = MessageCode::at_most_pairs});
+    };
+    if (neighbours.more_pairs_than(most)) report(MessageCode::has_overlapping_pairs);
+    if (!fixed_is_sound_) return;
+    if (neighbours.more_in_holes_than(most)) report(MessageCode::has_balls_in_holes);
+    if (!scene_.obstacles.empty()) first_obstacles_ = neighbours.first_obstacles();
+  }
+
+  static bool is_sound(const Ball& ball) {
+    return std::all_of(std::begin(ball_fields), std::end(ball_fields), [&](const auto& field) {
+      return !field.number || contains(field.range, field.value(ball));
+    });
+  }
 
   void check_name() {
     const auto& field = scene_fields[index_of(scene_fields, "name")];
     const std::size_t bytes = scene_.name.size();
     if (bytes > max_name_bytes)
       report_({.pointer = "/name",
-               .problem = "is " + std::to_string(bytes) + " bytes long",
+               .problem = {MessageCode::is_bytes_long, {std::to_string(bytes)}},
                .expected = expectation(field)});
     else if (!utf8::is_valid(scene_.name.begin(), scene_.name.end()))
-      report_({.pointer = "/name", .problem = "is not in UTF-8", .expected = expectation(field)});
+      report_({.pointer = "/name",
+               .problem = MessageCode::is_not_utf8,
+               .expected = expectation(field)});
   }
 
   // Calls check_one(element, pointer); `pointer` makes the element's pointer, which only errors
@@ -67,8 +241,8 @@ class Checker {
             F check_one) {
     if (elements.size() > most) {
       report_({.pointer = list,
-               .problem = "has " + std::to_string(elements.size()) + " elements",
-               .expected = "at most " + std::to_string(most)});
+               .problem = {MessageCode::has_elements, {std::to_string(elements.size())}},
+               .expected = {MessageCode::at_most, {std::to_string(most)}}});
       return;
     }
     for (const T& element : elements)
@@ -96,12 +270,15 @@ class Checker {
     const double speed = length(ball.velocity);
     if (speed > max_speed)
       report_({.pointer = pointer(),
-               .problem = "moves at " + number_text(speed) + " px/s",
-               .expected = "at most " + number_text(max_speed) + " (px/s)"});
+               .problem = {MessageCode::moves_at, {number_text(speed)}},
+               .expected = {MessageCode::at_most_speed, {number_text(max_speed)}}});
     if (!fixed_is_sound_) return;
-    if (auto error = obstruction_error(scene_, ball.position, ball.radius, {})) {
+    const auto index = static_cast<std::size_t>(&ball - scene_.balls.data());
+    if (auto error = edge_error(scene_, ball.position, ball.radius, {})) {
       error->pointer = pointer();
       report_(*std::move(error));
+    } else if (!first_obstacles_.empty() && first_obstacles_[index] < scene_.obstacles.size()) {
+      report_(obstacle_error(scene_, first_obstacles_[index], pointer()));
     }
   }
 
@@ -113,15 +290,16 @@ class Checker {
       return '"' + std::string(role_names[static_cast<std::size_t>(role)]) + '"';
     };
     report_({.pointer = pointer() + "/role",
-             .problem =
-                 "is " + quoted(ball.role) +
-                 (is_lead(first.role) ? ", but ball 0 is " + quoted(first.role) + " already" : ""),
-             .expected = "at most one cue ball or projectile, and that as the first ball"});
+             .problem = is_lead(first.role) ? Message(MessageCode::is_second_lead,
+                                                      {quoted(ball.role), quoted(first.role)})
+                                            : Message(MessageCode::is, {quoted(ball.role)}),
+             .expected = MessageCode::one_lead_first});
   }
 
   const Scene& scene_;
   const std::function<void(Error)>& report_;
   bool fixed_is_sound_ = true;  // whether it makes sense to say what a ball overlaps
+  std::vector<std::uint32_t> first_obstacles_;  // by ball; empty if there are no obstacles
 };
 
 }  // namespace
@@ -132,65 +310,34 @@ bool contains(const Range& range, double number) {
   return low_enough && number <= range.high;
 }
 
-std::string expectation(const Range& range) {
+Message expectation(const Range& range) {
+  using enum MessageCode;
   const std::string low = number_text(range.low);
   const std::string high = number_text(range.high);
-  const bool bounded = range.high < std::numeric_limits<double>::max();
-  std::string text = "a number ";
-  if (range.low_is == Range::Low::excluded)
-    text += "greater than " + low + (bounded ? " and at most " + high : "");
-  else
-    text += bounded ? "from " + low + " to " + high : "of at least " + low;
-  if (!range.note.empty()) text += " (" + std::string(range.note) + ")";
-  return text;
+  const std::string note = range.note.empty() ? "" : " (" + std::string(range.note) + ")";
+  const bool above = range.low_is == Range::Low::excluded;
+  if (range.high < std::numeric_limits<double>::max())
+    return {above ? number_above_to : number_from_to, {low, high, note}};
+  return {above ? number_above : number_from, {low, note}};
 }
 
 std::optional<Error> obstruction_error(const Scene& fixed, Vec2 position, double radius,
                                        std::string pointer) {
-  struct Side {
-    Edge edge;
-    bool sticks_out;
-    const char* name;
-    const char* expected;
-    double limit;
-  };
-  const auto& [x, y] = position;
-  const Side sides[] = {
-      {fixed.edges.left, x - radius < 0, "left", "x of at least ", radius},
-      {fixed.edges.right, x + radius > fixed.width, "right", "x of at most ", fixed.width - radius},
-      {fixed.edges.bottom, y - radius < 0, "bottom", "y of at least ", radius},
-      {fixed.edges.top, y + radius > fixed.height, "top", "y of at most ", fixed.height - radius},
-  };
-  for (const Side& side : sides)
-    if (side.edge == Edge::solid && side.sticks_out)
-      return Error{.pointer = std::move(pointer),
-                   .problem = "sticks out of the solid " + std::string(side.name) + " edge",
-                   .expected = side.expected + number_text(side.limit) + " (px)"};
-
-  // The same test as the obstacles' in a step (spec §2, stage 5).
-  for (const Obstacle& obstacle : fixed.obstacles) {
-    const double reach = obstacle.radius + radius;
-    const bool overlaps = y < obstacle.height
-                              ? std::abs(x - obstacle.x) < reach
-                              : length(position - Vec2{obstacle.x, obstacle.height}) < reach;
-    if (overlaps)
-      return Error{.pointer = std::move(pointer),
-                   .problem = "overlaps obstacle " +
-                              std::to_string(&obstacle - fixed.obstacles.data()) + " (x " +
-                              number_text(obstacle.x) + ", height " + number_text(obstacle.height) +
-                              ", radius " + number_text(obstacle.radius) + ")",
-                   .expected = "a place outside of every obstacle"};
-  }
+  if (auto error = edge_error(fixed, position, radius, pointer)) return error;
+  for (std::size_t n = 0; n < fixed.obstacles.size(); ++n)
+    if (overlaps(fixed.obstacles[n], position, radius))
+      return obstacle_error(fixed, n, std::move(pointer));
   return std::nullopt;
 }
 
 void check(const Scene& scene, const std::function<void(Error)>& report) {
+  const ExactArithmetic exact;
   Checker(scene, report).run();
 }
 
 Error more_errors(std::size_t count) {
-  return {.problem =
-              "and " + std::to_string(count) + (count == 1 ? " more error" : " more errors")};
+  if (count == 1) return {.problem = MessageCode::one_more_error};
+  return {.problem = {MessageCode::more_errors, {std::to_string(count)}}};
 }
 
 Errors check(const Scene& scene) {

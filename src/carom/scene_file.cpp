@@ -12,6 +12,7 @@
 #include <utf8cpp/utf8/core.h>
 #include <utility>
 
+#include "carom/arithmetic.hpp"
 #include "carom/internal/scene_check.hpp"
 #include "carom/internal/scene_fields.hpp"
 #include "json/json.hpp"
@@ -67,17 +68,6 @@ void for_each_above(std::string pointer, F f) {
   for (; !pointer.empty(); pointer.resize(pointer.rfind('/'))) f(pointer);
 }
 
-// A JSON number that is not too large for a double. -0 becomes 0, what is next to nothing too.
-double to_double(std::string_view digits) {
-  double number = 0;
-#if defined(__cpp_lib_to_chars)
-  std::from_chars(digits.data(), digits.data() + digits.size(), number);
-#else  // Emscripten's library has from_chars for integers only, but its strtod knows no locales.
-  number = std::strtod(std::string(digits).c_str(), nullptr);
-#endif
-  return number + 0.0;
-}
-
 enum class Kind : std::uint8_t { null, boolean, number, huge_number, text, object, array };
 
 struct Value {
@@ -91,7 +81,7 @@ struct Value {
 constexpr double unread = std::numeric_limits<double>::quiet_NaN();
 
 double number_in(const Value& value) {
-  return value.kind == Kind::number ? to_double(value.raw) : unread;
+  return value.kind == Kind::number ? read_number(value.raw) : unread;
 }
 
 // The index of a text among names, or their number if it is none of them.
@@ -101,10 +91,10 @@ std::size_t index_in(std::span<const std::string_view> names, const Value& value
                                   names.begin());
 }
 
-std::string describe(const Value& value) {
-  if (value.kind == Kind::object) return "is an object";
-  if (value.kind == Kind::array) return "is an array";
-  return "is " + shortened(value.raw);
+Message describe(const Value& value) {
+  if (value.kind == Kind::object) return MessageCode::is_object;
+  if (value.kind == Kind::array) return MessageCode::is_array;
+  return {MessageCode::is, {shortened(value.raw)}};
 }
 
 // What the members of an object, or the elements of an array, are.
@@ -325,17 +315,17 @@ class Reader final : public Walker {
     double* number = nullptr;
     Edge* edge = nullptr;
     const Range* range = nullptr;
-    std::string_view expected;
+    MessageCode expected = MessageCode::text;
   };
 
-  void report(std::size_t offset, std::string pointer, std::string problem, std::string expected) {
+  void report(std::size_t offset, std::string pointer, Message problem, Message expected) {
     if (errors_.size() == max_errors)
       ++more_;
     else
       errors_.push_back({{std::move(pointer), std::move(problem), std::move(expected)}, offset});
   }
 
-  void refuse(const Value& value, std::string expected) {
+  void refuse(const Value& value, Message expected) {
     report(value.offset, pointer_, describe(value), std::move(expected));
   }
 
@@ -364,7 +354,7 @@ class Reader final : public Walker {
   Place on_value(const Value& value) override {
     if (containers_.empty()) {
       if (value.kind == Kind::object) return Place::scene;
-      refuse(value, std::string(any_scene));
+      refuse(value, any_scene);
       return Place::skipped;
     }
     switch (containers_.back().place) {
@@ -384,14 +374,14 @@ class Reader final : public Walker {
                 std::string_view example) {
     if (list.size() == most) {
       pointer_.resize(containers_.back().pointer_size);
-      report(value.offset, pointer_, "has more than " + std::to_string(most) + " elements",
-             "at most " + std::to_string(most));
+      report(value.offset, pointer_, {MessageCode::has_more_elements, {std::to_string(most)}},
+             {MessageCode::at_most, {std::to_string(most)}});
       stopped_ = true;
       return Place::skipped;
     }
     list.emplace_back();
     if (value.kind == Kind::object) return place;
-    refuse(value, "an object such as " + std::string(example));
+    refuse(value, {MessageCode::object_such_as, {std::string(example)}});
     with_fields(place, [](const auto& fields, auto& object) {
       for (const auto& field : fields)
         if (field.number) field.number(object) = unread;
@@ -403,7 +393,7 @@ class Reader final : public Walker {
     if (target_.name.empty()) return Place::skipped;
     const Target target = std::exchange(target_, {});
     const auto refuse_it = [&] {
-      refuse(value, target.range ? expectation(*target.range) : std::string(target.expected));
+      refuse(value, target.range ? expectation(*target.range) : Message(target.expected));
       return Place::skipped;
     };
 
@@ -450,12 +440,11 @@ class Reader final : public Walker {
   }
 
   // What else looks wrong may be right in that version: this is the only error.
-  Place refuse_newer(const Value& value, std::string_view expected) {
+  Place refuse_newer(const Value& value, MessageCode expected) {
     errors_.clear();
     more_ = 0;
     stopped_ = true;
-    report(value.offset, pointer_, describe(value) + ", newer than this program",
-           std::string(expected));
+    report(value.offset, pointer_, {MessageCode::is_newer, {shortened(value.raw)}}, expected);
     return Place::skipped;
   }
 
@@ -468,11 +457,11 @@ class Reader final : public Walker {
         std::string keys;
         for (const auto& field : fields)
           keys += (keys.empty() ? "" : ", ") + std::string(field.name);
-        return report(token_, pointer_, "is an unknown key", "one of " + keys);
+        return report(token_, pointer_, MessageCode::is_unknown_key, {MessageCode::one_of, {keys}});
       }
       const auto bit = std::uint32_t{1} << index;
       if (container.seen & bit)
-        return report(token_, pointer_, "is given twice", "every key at most once");
+        return report(token_, pointer_, MessageCode::is_given_twice, MessageCode::each_key_once);
       container.seen |= bit;
       const auto& field = fields[index];
       target_.name = field.name;
@@ -492,7 +481,7 @@ class Reader final : public Walker {
       for (std::size_t i = 0; i < std::size(fields); ++i) {
         const auto& field = fields[i];
         if (!field.required || container.seen >> i & 1) continue;
-        report(container.offset, pointer_ + "/" + std::string(field.name), "is missing",
+        report(container.offset, pointer_ + "/" + std::string(field.name), MessageCode::is_missing,
                expectation(field));
         if (field.number) field.number(object) = unread;
       }
@@ -500,8 +489,8 @@ class Reader final : public Walker {
   }
 
   void on_too_deep() override {
-    report(token_, pointer_, "is nested too deeply",
-           "at most " + std::to_string(max_depth) + " arrays and objects within each other");
+    report(token_, pointer_, MessageCode::is_nested_too_deeply,
+           {MessageCode::at_most_levels, {std::to_string(max_depth)}});
   }
 
   // `bytes_read` includes the byte that made the parser stop, which may be the one past the end.
@@ -540,9 +529,9 @@ class Reader final : public Walker {
         std::string_view("+-.0123456789").find(bytes_[at]) != std::string_view::npos)
       expected = any_number;
 
-    if (at == bytes_.size() && !started_) return report(at, {}, "is empty", std::string(expected));
+    if (at == bytes_.size() && !started_) return report(at, {}, MessageCode::is_empty, expected);
     if (what.find("invalid string") == std::string_view::npos)
-      report(at, pointer_, "is not valid JSON: found " + found(at), std::string(expected));
+      report(at, pointer_, {MessageCode::is_not_json_found, {found(at)}}, expected);
     else
       bad_text(at, std::min(bytes_read - 1, bytes_.size()),
                what.find("UTF-8") != std::string_view::npos);
@@ -550,17 +539,16 @@ class Reader final : public Walker {
 
   // For a text that begins at `begin` and goes wrong at `at`.
   void bad_text(std::size_t begin, std::size_t at, bool in_encoding) {
-    const std::string problem = "is not valid JSON: ";
+    using enum MessageCode;
     if (in_encoding)
-      report(at, pointer_, problem + "a text is not in UTF-8", "the file saved as UTF-8");
+      report(at, pointer_, is_not_json_utf8, "the file saved as UTF-8");
     else if (at == bytes_.size() || bytes_[at] == '\n' || bytes_[at] == '\r')
-      report(begin, pointer_, problem + "a text does not end on its line",
-             "a closing double quote");
+      report(begin, pointer_, is_not_json_open_text, "a closing double quote");
     else if (is_control(bytes_[at]))
-      report(at, pointer_, problem + "a text contains " + found(at),
+      report(at, pointer_, {is_not_json_control, {found(at)}},
              R"(\t for a tab, \n for a line break)");
     else
-      report(at, pointer_, problem + "a text has a wrong escape sequence",
+      report(at, pointer_, is_not_json_escape,
              R"(\\ for a backslash; or \", \/, \b, \f, \n, \r, \t, \u and 4 hexadecimal digits)");
   }
 
@@ -653,7 +641,10 @@ void append_list(std::string& out, const std::vector<T>& list, F append_element)
 
 }  // namespace
 
-Result<Scene> read_scene(std::string_view json) { return Reader(json).read(); }
+Result<Scene> read_scene(std::string_view json) {
+  const ExactArithmetic exact;
+  return Reader(json).read();
+}
 
 Errors locate(std::string_view json, Errors errors) {
   return in_file_order(json, find_offsets(json, std::move(errors)));
@@ -661,6 +652,7 @@ Errors locate(std::string_view json, Errors errors) {
 
 // What has its default is left out, unless the format requires it.
 std::string write_scene(const Scene& scene) {
+  const ExactArithmetic exact;
   const Scene defaults;
   std::string out;
   const auto begin = [&](std::string_view key) {

@@ -1,5 +1,6 @@
 #include <cstdint>
 
+#include "carom/arithmetic.hpp"
 #include "carom/fnv1a.hpp"
 #include "carom/world.hpp"
 
@@ -15,6 +16,7 @@ void add(Fnv1a& hash, Vec2 vector) {
 }  // namespace
 
 std::uint64_t World::state_hash() const {
+  const ExactArithmetic exact;  // a subnormal number is not zero
   Fnv1a hash;
   hash.add(static_cast<std::uint8_t>(lead_out_));
   hash.add(static_cast<std::uint64_t>(balls_left()));

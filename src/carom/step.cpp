@@ -6,8 +6,10 @@
 #include <span>
 #include <utility>
 
+#include "carom/arithmetic.hpp"
 #include "carom/balls.hpp"
 #include "carom/internal/all_pairs.hpp"
+#include "carom/internal/arithmetic_check.hpp"
 #include "carom/internal/row_pairs.hpp"
 #include "carom/internal/thread_pool.hpp"
 #include "carom/internal/vectors.hpp"
@@ -440,7 +442,10 @@ class Stepper {
   bool any_gone_ = false;  ///< more than a lead that was out before
 };
 
+bool step_arithmetic_is_exact() { return arithmetic_is_exact(); }
+
 std::span<const Event> World::step() {
+  const ExactArithmetic exact;
   events_.clear();
   if (!owner_.workspace) owner_.workspace = std::make_shared<Workspace>();
   Stepper(*this).step();
@@ -449,6 +454,7 @@ std::span<const Event> World::step() {
 }
 
 RunEnd World::run(Until until, std::uint64_t max_steps, Tell tell, void* sink) {
+  const ExactArithmetic exact;
   RunEnd end;
   while (!(until.rest && at_rest())) {
     if (end.steps == max_steps) return end;

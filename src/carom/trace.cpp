@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "carom/arithmetic.hpp"
 #include "json/number_text.hpp"
 
 namespace carom {
@@ -94,6 +95,7 @@ std::string hash_text(std::uint64_t hash) {
 }
 
 void append_trace_line(std::string& out, const World& world, std::span<const Event> events) {
+  const ExactArithmetic exact;
   out += "{\"step\":";
   append_number(out, world.steps());
   out.append(",\"hash\":\"").append(hash_text(world.state_hash())).append("\",\"balls\":[");

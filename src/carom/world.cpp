@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "carom/arithmetic.hpp"
 #include "carom/internal/scene_check.hpp"
 
 namespace carom {
@@ -13,7 +14,9 @@ namespace {
 bool finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 Error no_such_ball() {
-  return {.pointer = "index", .problem = "is no ball in play", .expected = "a ball in play"};
+  return {.pointer = "index",
+          .problem = MessageCode::is_no_ball,
+          .expected = MessageCode::ball_in_play};
 }
 
 }  // namespace
@@ -36,6 +39,7 @@ Result<World> World::create(Scene scene) {
 }
 
 bool World::at_rest() const {
+  const ExactArithmetic exact;
   // Squares far from the limit's need no root to be told from it.
   constexpr double surely_fast = rest_speed * rest_speed * 1.001;
   constexpr double surely_slow = rest_speed * rest_speed * 0.999;
@@ -54,24 +58,26 @@ bool World::at_rest() const {
 }
 
 Status World::set_velocity(std::size_t index, Vec2 velocity) {
+  const ExactArithmetic exact;
   if (index >= size() || !in_play(index)) return no_such_ball();
   if (!finite(velocity) || length(velocity) > max_speed)
     return Error{.pointer = "velocity",
-                 .problem = "is not finite or too fast",
-                 .expected = "at most 100000 (px/s)"};
+                 .problem = MessageCode::is_too_fast,
+                 .expected = {MessageCode::at_most_speed, {"100000"}}};
   balls_.set_velocity(index, velocity);
   return Done{};
 }
 
 Status World::place_lead(Vec2 position) {
+  const ExactArithmetic exact;
   if (!has_lead())
     return Error{.pointer = "position",
-                 .problem = "has nothing to place",
-                 .expected = "a world with a cue ball or projectile"};
+                 .problem = MessageCode::has_no_lead,
+                 .expected = MessageCode::world_with_lead};
   if (!finite(position) || std::max(std::abs(position.x), std::abs(position.y)) > max_quantity)
     return Error{.pointer = "position",
-                 .problem = "is not finite or too far away",
-                 .expected = "coordinates from -1000000000 to 1000000000 (px)"};
+                 .problem = MessageCode::is_too_far,
+                 .expected = {MessageCode::coordinates_from_to, {"-1000000000", "1000000000"}}};
   if (auto error = obstruction_error(scene_, position, balls_.radius[0], "position")) return *error;
   balls_.set_position(0, position);
   balls_.set_velocity(0, {});

@@ -12,12 +12,12 @@ carom::Errors check_level(const carom::Scene& scene) {
   carom::Errors errors;
   if (scene.balls.empty() || scene.balls[0].role != carom::Role::projectile)
     errors.push_back({.pointer = "/balls",
-                      .problem = "have no projectile",
-                      .expected = "the first ball to have the role \"projectile\""});
+                      .problem = carom::MessageCode::has_no_projectile,
+                      .expected = carom::MessageCode::first_ball_projectile});
   if (std::ranges::count(scene.balls, carom::Role::enemy, &carom::Ball::role) == 0)
     errors.push_back({.pointer = "/balls",
-                      .problem = "have no enemy",
-                      .expected = "at least one ball with the role \"enemy\""});
+                      .problem = carom::MessageCode::has_no_enemy,
+                      .expected = carom::MessageCode::some_enemy});
   return errors;
 }
 
@@ -50,8 +50,8 @@ carom::Status Game::apply(const Command& command) {
 carom::Status Game::launch(carom::Vec2 drag) {
   if (phase_ != Phase::aim)
     return carom::Error{.pointer = "throw",
-                        .problem = "is out of turn",
-                        .expected = "the projectile at the launch place"};
+                        .problem = carom::MessageCode::is_out_of_turn,
+                        .expected = carom::MessageCode::projectile_ready};
   if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
   events_.clear();
   physics_.clear();
@@ -65,8 +65,8 @@ carom::Status Game::launch(carom::Vec2 drag) {
 carom::Status Game::next() {
   if (phase_ != Phase::offer)
     return carom::Error{.pointer = "next",
-                        .problem = "is out of turn",
-                        .expected = "a throw that has come to rest"};
+                        .problem = carom::MessageCode::is_out_of_turn,
+                        .expected = carom::MessageCode::throw_at_rest};
   if (throws_left_ > 0)
     if (carom::Status placed = world_.place_lead(launch_place()); !placed) return placed;
   events_.clear();

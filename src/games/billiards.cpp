@@ -4,20 +4,21 @@
 #include <cmath>
 #include <utility>
 
+#include "carom/arithmetic.hpp"
 #include "games/launch.hpp"
 
 namespace games::billiards {
 
 namespace {
 
-carom::Error refusal(std::string what, std::string problem, std::string expected) {
-  return {
-      .pointer = std::move(what), .problem = std::move(problem), .expected = std::move(expected)};
+carom::Error refusal(std::string what, carom::MessageCode problem, carom::MessageCode expected) {
+  return {.pointer = std::move(what), .problem = problem, .expected = expected};
 }
 
 }  // namespace
 
 carom::Scene rack() {
+  const carom::ExactArithmetic exact;
   carom::Scene scene;
   scene.name = "Billiards";
   const double inset = carom::default_radius;
@@ -40,8 +41,8 @@ carom::Scene rack() {
 carom::Errors check_table(const carom::Scene& scene) {
   if (!scene.balls.empty() && scene.balls[0].role == carom::Role::cue) return {};
   return {{.pointer = "/balls",
-           .problem = "have no cue ball",
-           .expected = "the first ball to have the role \"cue\""}};
+           .problem = carom::MessageCode::has_no_cue_ball,
+           .expected = carom::MessageCode::first_ball_cue}};
 }
 
 carom::Result<Game> Game::create(carom::Scene table, Options options) {
@@ -71,7 +72,8 @@ carom::Status Game::apply(const Command& command) {
 
 carom::Status Game::shoot(carom::Vec2 drag) {
   if (phase_ != Phase::aim)
-    return refusal("shoot", "is out of turn", "the cue ball at rest, waiting for its shot");
+    return refusal("shoot", carom::MessageCode::is_out_of_turn,
+                   carom::MessageCode::cue_ball_waiting);
   if (carom::Status launched = games::launch(world_, drag); !launched) return launched;
   events_.clear();
   physics_.clear();
@@ -82,6 +84,7 @@ carom::Status Game::shoot(carom::Vec2 drag) {
 }
 
 Obstruction Game::obstruction(carom::Vec2 position) const {
+  const carom::ExactArithmetic exact;
   const double r = world_.ball(0).radius;
   const carom::Scene& table = world_.scene();
   // Written so that NaN does not pass.
@@ -106,9 +109,11 @@ Obstruction Game::obstruction(carom::Vec2 position) const {
 }
 
 carom::Status Game::place(carom::Vec2 position) {
-  if (phase_ != Phase::place) return refusal("place", "is out of turn", "the cue ball in hand");
+  if (phase_ != Phase::place)
+    return refusal("place", carom::MessageCode::is_out_of_turn,
+                   carom::MessageCode::cue_ball_in_hand);
   if (obstruction(position) != Obstruction::none)
-    return refusal("position", "is not free", "a place clear of balls, holes and cushions");
+    return refusal("position", carom::MessageCode::is_not_free, carom::MessageCode::free_place);
   if (carom::Status placed = world_.place_lead(position); !placed) return placed;
   events_.clear();
   physics_.clear();

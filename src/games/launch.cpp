@@ -1,19 +1,32 @@
 #include "games/launch.hpp"
 
+#include "carom/arithmetic.hpp"
+
 namespace games {
 
-carom::Vec2 launch_velocity(carom::Vec2 drag) {
+namespace {
+
+// Not inlined: what is computed from a parameter could be moved in front of the guard.
+[[gnu::noinline]] carom::Vec2 capped(carom::Vec2 drag) {
   const carom::Vec2 velocity = launch_factor * drag;
   const double speed = carom::length(velocity);
   return speed > max_launch_speed ? velocity * (max_launch_speed / speed) : velocity;
+}
+
+}  // namespace
+
+carom::Vec2 launch_velocity(carom::Vec2 drag) {
+  const carom::ExactArithmetic exact;
+  const carom::Vec2 velocity = capped(drag);
+  return velocity;
 }
 
 carom::Status launch(carom::World& world, carom::Vec2 drag) {
   const carom::Vec2 velocity = launch_velocity(drag);
   if (velocity == carom::Vec2{})
     return carom::Error{.pointer = "drag",
-                        .problem = "gives no velocity",
-                        .expected = "a finite vector that is not zero"};
+                        .problem = carom::MessageCode::gives_no_velocity,
+                        .expected = carom::MessageCode::finite_drag};
   return world.set_velocity(0, velocity);
 }
 

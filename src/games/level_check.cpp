@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "carom/arithmetic.hpp"
 #include "carom/world.hpp"
 #include "games/launch.hpp"
 
@@ -121,6 +122,7 @@ void warn_of_unreachable_enemies(const carom::Scene& level, carom::Errors& warni
 }  // namespace
 
 carom::Errors level_warnings(const carom::Scene& level) {
+  const carom::ExactArithmetic exact;
   carom::Errors warnings;
   warn_of_launch_place(level, warnings);
   warn_of_restless_balls(level, warnings);

@@ -147,7 +147,7 @@ int play_in_window(const Options& options, app::StartLanguage language,
                                              .store = store,
                                              .levels = platform::read_levels(levels)});
   if (!window) {
-    std::cerr << "angry-balls: no display: " << window.errors().front().problem
+    std::cerr << "angry-balls: no display: " << carom::to_string(window.errors().front().problem)
               << " (a script plays without one: --script FILE)\n";
     return no_display;
   }

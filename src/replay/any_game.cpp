@@ -26,8 +26,8 @@ carom::Status apply_command(AnyGame& game, const Command& command) {
           return played.apply(given);
         else
           return carom::Error{.pointer = "command",
-                              .problem = "is one of the other game",
-                              .expected = "a command of the game that is played"};
+                              .problem = carom::MessageCode::is_of_other_game,
+                              .expected = carom::MessageCode::command_of_game};
       },
       game, command);
 }

@@ -98,8 +98,8 @@ std::uint32_t checksum(std::string_view version, std::string_view packed) {
 }  // namespace
 
 carom::Error damaged_text(std::string problem, std::string_view what) {
-  return {.problem = "is damaged: " + std::move(problem),
-          .expected = "the text of " + std::string(what) + ", whole and unchanged"};
+  return {.problem = {carom::MessageCode::is_damaged, {std::move(problem)}},
+          .expected = {carom::MessageCode::text_of_whole, {std::string(what)}}};
 }
 
 std::string pack(char version, std::string payload) {
@@ -111,21 +111,22 @@ std::string pack(char version, std::string payload) {
 }
 
 carom::Result<std::string> unpack(std::string_view text, char version, std::string_view what) {
-  const std::string text_of = "the text of " + std::string(what);
+  using Code = carom::MessageCode;
   if (text.size() > max_text)
-    return carom::Error{.problem = "is longer than " + std::to_string(max_text) + " characters",
-                        .expected = text_of};
+    return carom::Error{.problem = {Code::is_longer_than, {std::to_string(max_text)}},
+                        .expected = {Code::text_of, {std::string(what)}}};
   const std::size_t foreign = text.find_first_not_of(digits);
   if (foreign != std::string_view::npos)
-    return carom::Error{.problem = "is no text of " + std::string(what) + ": its character " +
-                                   std::to_string(foreign + 1) + " does not belong there",
-                        .expected = "letters, digits, - and _ only"};
+    return carom::Error{
+        .problem = {Code::has_foreign_character, {std::string(what), std::to_string(foreign + 1)}},
+        .expected = Code::text_characters};
   auto bytes = from_base64url(text);
   if (!bytes || bytes->size() < header_bytes) return damaged_text("it is not whole", what);
   const auto number = [](char byte) { return std::to_string(static_cast<unsigned char>(byte)); };
   if (bytes->front() != version)
-    return carom::Error{.problem = "is version " + number(bytes->front()) + " of " + text_of,
-                        .expected = "version " + number(version)};
+    return carom::Error{
+        .problem = {Code::is_version_of, {number(bytes->front()), std::string(what)}},
+        .expected = {Code::version, {number(version)}}};
   std::uint32_t crc = 0;
   for (std::size_t byte = 0; byte < 4; ++byte)
     crc |= static_cast<std::uint32_t>(static_cast<unsigned char>((*bytes)[1 + byte])) << 8 * byte;

@@ -219,8 +219,9 @@ carom::Result<Replay> with_full_hashes(Replay replay) {
   const auto player = verify(replay);
   if (!player) return player.errors();
   if (player.value().divergence())
-    return carom::Error{.problem =
-                            to_string(*player.value().divergence(), player.value().turns().size())};
+    return carom::Error{
+        .problem = {carom::MessageCode::has_diverged,
+                    {to_string(*player.value().divergence(), player.value().turns().size())}}};
   if (!replay.short_hashes) return replay;
   AnyGame game = start(replay).value();
   for (Move& move : replay.moves) {

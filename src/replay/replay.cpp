@@ -8,9 +8,11 @@
 
 namespace replay {
 
+using enum carom::MessageCode;
+
 carom::Errors check(const Replay& replay) {
   carom::Errors errors;
-  const auto report = [&](std::string pointer, std::string problem, std::string expected) {
+  const auto report = [&](std::string pointer, carom::Message problem, carom::Message expected) {
     errors.push_back({std::move(pointer), std::move(problem), std::move(expected)});
   };
   if (replay.level) {
@@ -22,40 +24,38 @@ carom::Errors check(const Replay& replay) {
     }
   }
   if (replay.level && replay.options != games::billiards::Options{})
-    report("/game", "has options of billiards", "none in \"angry-balls\"");
+    report("/game", has_options_of_billiards, "none in \"angry-balls\"");
   if (replay.options.first_player != 0 && replay.options.first_player != 1)
-    report("/first-player", "is " + std::to_string(replay.options.first_player + 1), "1 or 2");
+    report("/first-player", {is, {std::to_string(replay.options.first_player + 1)}}, "1 or 2");
   for (std::size_t player = 0; player < 2; ++player)
     if (replay.score[player] < 0 || (replay.level && player == 1 && replay.score[player] != 0))
-      report("/score/" + std::to_string(player), "is " + std::to_string(replay.score[player]),
+      report("/score/" + std::to_string(player), {is, {std::to_string(replay.score[player])}},
              "the points made, from 0 on");
 
   if (replay.moves.size() > max_moves)
-    report("/moves", "has " + std::to_string(replay.moves.size()) + " elements",
-           "at most " + std::to_string(max_moves));
+    report("/moves", {has_elements, {std::to_string(replay.moves.size())}},
+           {at_most, {std::to_string(max_moves)}});
   std::uint64_t steps = 0;
   for (std::size_t i = 0; i < replay.moves.size() && errors.size() < carom::max_errors; ++i) {
     const Move& move = replay.moves[i];
     const std::string pointer = "/moves/" + std::to_string(i);
     const CommandName& name = command_names[move.command.index()];
     if (name.kind != replay.kind())
-      report(pointer + "/command", "is \"" + std::string(name.name) + '"',
+      report(pointer + "/command", {is, {'"' + std::string(name.name) + '"'}},
              expected_commands(replay.kind()));
     if (const carom::Vec2* const vector = vector_of(move.command))
       if (!std::isfinite(vector->x) || !std::isfinite(vector->y))
-        report(pointer, "has a place or drag that is not finite", "finite numbers (px)");
+        report(pointer, has_infinite_drag, finite_numbers);
     const std::uint64_t most = name.moves ? max_move_steps : 0;
     if (move.steps > most) {
-      report(pointer + "/steps", "is " + std::to_string(move.steps),
-             "a whole number from 0 to " + std::to_string(most));
+      report(pointer + "/steps", {is, {std::to_string(move.steps)}},
+             {whole_number_from_to, {"0", std::to_string(most)}});
       continue;
     }
     const bool was_within = steps <= max_steps;
     steps += move.steps;
     if (was_within && steps > max_steps)
-      report(pointer + "/steps",
-             "makes the game longer than " + std::to_string(max_steps) + " steps",
-             "a shorter game");
+      report(pointer + "/steps", {makes_game_too_long, {std::to_string(max_steps)}}, shorter_game);
   }
   return errors;
 }

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "carom/arithmetic.hpp"
 #include "carom/fnv1a.hpp"
 #include "carom/scene_file.hpp"
 #include "carom/trace.hpp"
@@ -17,6 +18,8 @@
 #include "replay/written_forms.hpp"
 
 namespace replay {
+
+using enum carom::MessageCode;
 
 namespace {
 
@@ -52,9 +55,10 @@ std::optional<std::uint64_t> read_hash(std::string_view text) {
 }
 
 // What is wrong with a version; empty if nothing is.
-std::string version_problem(std::string_view key, std::uint64_t version) {
+carom::Message version_problem(std::string_view key, std::uint64_t version) {
   const auto problem = [&](std::string_view what, int own) {
-    return version == static_cast<std::uint64_t>(own) ? "" : made_by(what, version, own);
+    return version == static_cast<std::uint64_t>(own) ? carom::Message()
+                                                      : made_by(what, version, own);
   };
   if (key == "physics") return problem("physics", physics_version);
   if (key == "rules") return problem("rules", rules_version);
@@ -165,11 +169,11 @@ class Reader {
 
   carom::Result<Replay> read() {
     if (json_.size() > max_bytes)
-      return carom::Error{.problem = "is larger than " + std::to_string(max_bytes) + " bytes",
+      return carom::Error{.problem = {is_larger_than_bytes, {std::to_string(max_bytes)}},
                           .expected = "a replay"};
     // nlohmann's parser takes a zero byte for the end.
     if (const std::size_t zero = json_.find('\0'); zero != std::string_view::npos)
-      return at_offset(zero, {.problem = "is not valid JSON: found the byte 0x00"});
+      return at_offset(zero, {.problem = {is_not_json_found, {"the byte 0x00"}}});
     const bool whole = Json::sax_parse(Cursor(json_.data(), &taken_),
                                        Cursor(json_.data() + json_.size(), &taken_), this);
     if (whole) finish();
@@ -193,7 +197,7 @@ class Reader {
 
   bool start_object(std::size_t) {
     ++depth_;
-    if (depth_ > max_depth) return refuse("is nested too deeply", "at most 16 levels of brackets");
+    if (depth_ > max_depth) return refuse(is_nested_too_deeply, {at_most_brackets, {"16"}});
     switch (place_) {
       case Place::start:
         place_ = Place::replay;
@@ -201,8 +205,8 @@ class Reader {
       case Place::moves:
         if (replay_.moves.size() == max_moves) {
           key_.clear();
-          return refuse("has more than " + std::to_string(max_moves) + " elements",
-                        "at most " + std::to_string(max_moves), "/moves");
+          return refuse({has_more_elements, {std::to_string(max_moves)}},
+                        {at_most, {std::to_string(max_moves)}}, "/moves");
         }
         place_ = Place::move;
         move_ = {};
@@ -221,7 +225,7 @@ class Reader {
       case Place::move:
         break;
     }
-    return wrong_kind("is an object");
+    return wrong_kind(is_object);
   }
 
   bool end_object() {
@@ -245,7 +249,7 @@ class Reader {
 
   bool start_array(std::size_t) {
     ++depth_;
-    if (depth_ > max_depth) return refuse("is nested too deeply", "at most 16 levels of brackets");
+    if (depth_ > max_depth) return refuse(is_nested_too_deeply, {at_most_brackets, {"16"}});
     if (place_ == Place::level) return true;
     if (place_ == Place::replay && key_ == "score") {
       place_ = Place::score;
@@ -255,7 +259,7 @@ class Reader {
       place_ = Place::moves;
       return true;
     }
-    return wrong_kind("is an array");
+    return wrong_kind(is_array);
   }
 
   bool end_array() {
@@ -273,24 +277,24 @@ class Reader {
     key_ = name;
     if (found == keys.end()) {
       key_ = printable(name);
-      return refuse("is an unknown key", "one of " + list(keys));
+      return refuse(is_unknown_key, {one_of, {list(keys)}});
     }
     unsigned& seen = in_move ? seen_in_move_ : seen_;
     const unsigned bit = 1U << (found - keys.begin());
-    if (seen & bit) return refuse("is given twice", "every key at most once");
+    if (seen & bit) return refuse(is_given_twice, each_key_once);
     seen |= bit;
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string&, const Json::exception& error) {
     constexpr int number_overflow = 406;
-    if (error.id == number_overflow) return refuse("is too large", "a number");
+    if (error.id == number_overflow) return refuse(is_too_large_a_number, "a number");
     const std::size_t offset = std::min(std::max(position, std::size_t{1}) - 1, json_.size());
-    errors_ = {
-        at_offset(offset, {.problem = json_.find_first_not_of(white_space) == std::string_view::npos
-                                          ? "is empty"
-                                          : "is not valid JSON",
-                           .expected = std::string(any_replay)})};
+    errors_ = {at_offset(
+        offset,
+        {.problem = json_.find_first_not_of(white_space) == std::string_view::npos ? is_empty
+                                                                                   : is_not_json,
+         .expected = std::string(any_replay)})};
     return false;
   }
 
@@ -311,13 +315,7 @@ class Reader {
     while (end > 0 && !is_of_number(json_[end - 1])) --end;
     std::size_t begin = end;
     while (begin > 0 && is_of_number(json_[begin - 1])) --begin;
-    double value = 0;
-#if defined(__cpp_lib_to_chars)
-    std::from_chars(json_.data() + begin, json_.data() + end, value);
-#else  // Emscripten's library has from_chars for integers only, but its strtod knows no locales.
-    value = std::strtod(std::string(json_.substr(begin, end - begin)).c_str(), nullptr);
-#endif
-    return value + 0.0;  // -0 is 0
+    return carom::read_number(json_.substr(begin, end - begin));
   }
   static bool is_of_number(char c) {
     return std::string_view("+-.0123456789eE").find(c) != std::string_view::npos;
@@ -342,10 +340,10 @@ class Reader {
     return text;
   }
 
-  bool refuse(std::string problem, std::string expected) {
+  bool refuse(carom::Message problem, carom::Message expected) {
     return refuse(std::move(problem), std::move(expected), pointer());
   }
-  bool refuse(std::string problem, std::string expected, std::string at) {
+  bool refuse(carom::Message problem, carom::Message expected, std::string at) {
     errors_ = carom::locate(json_, {{.pointer = std::move(at),
                                      .problem = std::move(problem),
                                      .expected = std::move(expected)}});
@@ -362,15 +360,15 @@ class Reader {
   }
 
   // For an object, array, null or boolean where none belongs.
-  bool wrong_kind(std::string problem) { return refuse(std::move(problem), expectation()); }
+  bool wrong_kind(carom::Message problem) { return refuse(std::move(problem), expectation()); }
 
-  std::string expectation() const {
+  carom::Message expectation() const {
     if (place_ == Place::start) return std::string(any_replay);
     if (place_ == Place::score) return "the points made, a whole number from 0 to 2147483647";
     if (place_ == Place::moves) return R"(an object such as {"command": "next", "hash": "…"})";
     if (place_ == Place::move) {
       if (key_ == "command") return R"("shoot", "place", "throw" or "next")";
-      if (key_ == "steps") return "a whole number from 0 to " + std::to_string(max_move_steps);
+      if (key_ == "steps") return {whole_number_from_to, {"0", std::to_string(max_move_steps)}};
       if (key_ == "hash") return std::string(any_hash);
       return "a number (px)";
     }
@@ -400,20 +398,20 @@ class Reader {
   }
 
   bool wrong_value(const Scalar& value) {
-    std::string problem = "is null";
+    std::string found = "null";
     if (value.truth) {
-      problem = *value.truth ? "is true" : "is false";
+      found = *value.truth ? "true" : "false";
     } else if (value.text) {
-      problem = "is " + in_quotes(printable(*value.text));
+      found = in_quotes(printable(*value.text));
     } else if (value.number) {
-      problem = "is ";
-      carom::append_number(problem, *value.number);
+      found.clear();
+      carom::append_number(found, *value.number);
     }
-    return refuse(std::move(problem), expectation());
+    return refuse({is, {std::move(found)}}, expectation());
   }
 
   bool score(const Scalar& value) {
-    if (scores_ == 2) return refuse("is a third score", "one score, in billiards two");
+    if (scores_ == 2) return refuse(is_third_score, "one score, in billiards two");
     if (!value.whole || *value.whole > std::numeric_limits<int>::max()) return wrong_value(value);
     replay_.score[scores_++] = static_cast<int>(*value.whole);
     return true;
@@ -443,7 +441,7 @@ class Reader {
     }
     if (key_ == "score" || key_ == "level" || key_ == "moves" || !value.whole)
       return wrong_value(value);
-    std::string problem = version_problem(key_, *value.whole);
+    carom::Message problem = version_problem(key_, *value.whole);
     return problem.empty() || refuse(std::move(problem), {});
   }
 
@@ -475,7 +473,7 @@ class Reader {
     const std::string at = "/moves/" + std::to_string(replay_.moves.size());
     const auto missing = [&](std::string_view key) {
       key_ = key;
-      return refuse("is missing", expectation(), at + "/" + std::string(key));
+      return refuse(is_missing, expectation(), at + "/" + std::string(key));
     };
     const auto given = [&](std::string_view key) { return (seen_in_move_ & move_bit(key)) != 0; };
     for (const std::string_view key : {"command", "hash"})
@@ -487,7 +485,7 @@ class Reader {
                                       {"steps", name.moves}}) {
       if (given(key) == wanted) continue;
       if (wanted) return missing(key);
-      return refuse("is given", "no " + std::string(key) + " with " + in_quotes(name.name),
+      return refuse(is_given, "no " + std::string(key) + " with " + in_quotes(name.name),
                     at + "/" + std::string(key));
     }
     if (place) *place = place_of_move_;
@@ -519,21 +517,21 @@ class Reader {
       const bool of_billiards = kind_ == Kind::billiards;
       key_ = key;
       if (key == "level" && of_billiards) {
-        if (seen_ & bit) refuse("is given", R"(no level in "billiards")");
+        if (seen_ & bit) refuse(is_given, R"(no level in "billiards")");
       } else if (key == "first-player" || key == "keep-turn") {
         if ((seen_ & bit) && !of_billiards)
-          refuse("is given", "no " + std::string(key) + R"( in "angry-balls")");
+          refuse(is_given, "no " + std::string(key) + R"( in "angry-balls")");
       } else if (!(seen_ & bit)) {
-        refuse("is missing", expectation());
+        refuse(is_missing, expectation());
       } else if (key == "score" && scores_ != (of_billiards ? 2 : 1)) {
-        refuse("has " + std::to_string(scores_) + " elements",
+        refuse({has_elements, {std::to_string(scores_)}},
                of_billiards ? "the points of both players" : "the points of the one player");
       }
       if (!errors_.empty()) return;
     }
     errors_ = carom::locate(json_, check(replay_));
     if (errors_.empty() && checksums_count && checksum_ != checksum(content(replay_)))
-      refuse("is not the replay's", "the replay as it was written", "/checksum");
+      refuse(is_not_the_replays, "the replay as it was written", "/checksum");
   }
 
   std::string_view json_;
@@ -564,9 +562,13 @@ carom::Result<Replay> read_replay(std::string_view bytes) {
   return read_text(bytes.substr(begin, bytes.find_last_not_of(white_space) - begin + 1));
 }
 
-carom::Result<Replay> read_json(std::string_view json) { return Reader(json).read(); }
+carom::Result<Replay> read_json(std::string_view json) {
+  const carom::ExactArithmetic exact;
+  return Reader(json).read();
+}
 
 std::string write_json(const Replay& replay) {
+  const carom::ExactArithmetic exact;
   std::string out = content(replay);
   const std::string sum = carom::hash_text(checksum(out));
   return out.append(",\n  \"checksum\": ").append(in_quotes(sum)).append("\n}\n");

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "carom/arithmetic.hpp"
 #include "carom/scene_file.hpp"
 #include "replay/packed_text.hpp"
 #include "replay/written_forms.hpp"
@@ -143,8 +144,8 @@ class Reader {
     }
     const std::uint64_t moves = whole();
     if (moves > max_moves)
-      return carom::Error{.problem = "has " + std::to_string(moves) + " moves",
-                          .expected = "at most " + std::to_string(max_moves)};
+      return carom::Error{.problem = {carom::MessageCode::has_moves, {std::to_string(moves)}},
+                          .expected = {carom::MessageCode::at_most, {std::to_string(max_moves)}}};
     const auto count = static_cast<std::size_t>(moves);
     const std::string_view forms = take(count);
     if (wrong_) return damaged("it ends too early");
@@ -224,10 +225,12 @@ class Reader {
 }  // namespace
 
 std::string write_text(const Replay& replay) {
+  const carom::ExactArithmetic exact;
   return pack(format_version, Writer().write(replay));
 }
 
 carom::Result<Replay> read_text(std::string_view text) {
+  const carom::ExactArithmetic exact;
   const auto payload = unpack(text, format_version, what);
   if (!payload) return payload.errors();
   auto replay = Reader(payload.value()).read();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "carom/message.hpp"
 #include "carom/vec2.hpp"
 #include "replay/replay.hpp"
 
@@ -21,10 +22,9 @@ inline constexpr bool checksums_count = true;
 #endif
 
 /// Says of a version that it is not this program's `own`: "made by physics 2, this is physics 1".
-inline std::string made_by(std::string_view what, std::uint64_t version, int own) {
-  const std::string name(what);
-  return "made by " + name + " " + std::to_string(version) + ", this is " + name + " " +
-         std::to_string(own);
+inline carom::Message made_by(std::string_view what, std::uint64_t version, int own) {
+  return {carom::MessageCode::is_of_other_version,
+          {std::string(what), std::to_string(version), std::to_string(own)}};
 }
 
 struct CommandName {

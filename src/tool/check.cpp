@@ -25,7 +25,7 @@ int check(const std::string& path) {
   if (!level) return report(level.errors(), path);
   carom::Errors warnings = games::angry_balls::level_warnings(level.value());
   for (carom::Error& warning : carom::locate(bytes.value(), std::move(warnings))) {
-    warning.problem = "warning: " + warning.problem;
+    warning.problem = "warning: " + carom::to_string(warning.problem);
     std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
   }
   std::printf("%s: ok\n", shown_name(path).c_str());

@@ -18,8 +18,7 @@ TEST(LevelFault, IsToldInThePlayersLanguage) {
   const app::Level level = app::read_level("a.json", bytes);
   EXPECT_EQ(app::problem_of(app::Words(Language::en), level), level.problem);
   EXPECT_EQ(in_french(bytes),
-            "a.json:1:23: /width: vaut -5 ; attendu : un nombre supérieur à 0 et d’au plus "
-            "1000000000 (px)");
+            "a.json:1:23: /width: vaut -5 ; attendu : un nombre de 0.001 à 1000000000 (px)");
   EXPECT_EQ(in_french(R"({"carom": 1, "width": 9, "height": 5, "balls": [], "thing": 1})"),
             "a.json:1:52: /thing: est une clé inconnue ; attendu : l’une de carom, name, width, "
             "height, edges, friction, gravity, hole_pull, damage_per_speed, damage_threshold, "

@@ -76,7 +76,8 @@ RULES = (
     Rule("another floating-point mode", r"<(cfenv|fenv\.h)>|\bfesetround\b|\bfp\s+(contract|reassociate)|"
          r"\bFP_CONTRACT\b|GCC\s+optimize|\boptimize\s*\(|_MM_SET_(FLUSH_ZERO|DENORMALS_ZERO)|\b_mm_setcsr\b",
          bad=("#include <cfenv>", "#pragma STDC FP_CONTRACT ON", '#pragma GCC optimize ("fast-math")',
-              "#pragma clang fp contract(fast)", "__attribute__((optimize(\"O3\")))")),
+              "#pragma clang fp contract(fast)", "__attribute__((optimize(\"O3\")))"),
+         allowed_in=("include/carom/arithmetic.hpp",)),
     Rule("excess precision", r"\blong\s+double\b|\b__float128\b|\b_Float\d+x?\b|\bfloat_t\b|\bdouble_t\b",
          bad=("long double x;", "__float128 x;", "double_t x;"), good=("long doubled;",)),
     Rule("float, which keeps half the digits", r"\bfloat\b|\b(?!0[xX])\d+\.?\d*(e[-+]?\d+)?[fF]\b",

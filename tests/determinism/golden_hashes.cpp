@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <clocale>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -378,6 +379,11 @@ void print_steps(long steps) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() == 3 && arguments[1] == "--locale") {
+    const bool known = std::setlocale(LC_ALL, arguments[2].c_str()) != nullptr;
+    if (!known || *std::localeconv()->decimal_point != ',') fail("no decimal comma", unusable);
+    arguments.resize(1);
+  }
   if (arguments.size() == 3 && arguments[1] == "--threads") {
     threads = std::atoi(arguments[2].c_str());
     arguments.resize(1);
@@ -389,5 +395,5 @@ int main(int argc, char** argv) {
   else if (arguments.size() == 1)
     compute(Table(arguments[0]));
   else
-    fail("Usage: golden_hashes TABLE [--threads N] | --print | --steps N", unusable);
+    fail("Usage: golden_hashes TABLE [--threads N | --locale NAME] | --print | --steps N", unusable);
 }

@@ -189,8 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
               "2:10: /level: is given; expected no level in \"billiards\"\n"},
         Wrong{"{\n  \"level\": {\"carom\": 1, \"width\": 0, \n    \"height\": 100}}",
               "2:12: /level/balls: is missing; expected an array of balls\n"
-              "2:34: /level/width: is 0; expected a number greater than 0 and at most 1000000000 "
-              "(px)\n"},
+              "2:34: /level/width: is 0; expected a number from 0.001 to 1000000000 (px)\n"},
         Wrong{R"({"level": {"carom": 1, "width": 9, "height": 9, "balls": []}})",
               "1:58: /level/balls: have no projectile; expected the first ball to have the role "
               "\"projectile\"\n"

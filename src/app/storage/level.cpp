@@ -9,9 +9,18 @@
 namespace app {
 namespace {
 
+/// More would not be played at full speed anywhere.
+constexpr std::size_t most_balls = 20'000;
+
 carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes) {
   if (!bytes) return bytes.errors();
-  return games::angry_balls::read_level(bytes.value());
+  auto level = games::angry_balls::read_level(bytes.value());
+  if (level && level.value().balls.size() > most_balls)
+    return carom::Error{
+        .pointer = "/balls",
+        .problem = {carom::MessageCode::has_elements, {std::to_string(level.value().balls.size())}},
+        .expected = {carom::MessageCode::at_most, {std::to_string(most_balls)}}};
+  return level;
 }
 
 /// "a" for "a.json".
@@ -54,7 +63,7 @@ std::vector<Level> kept_levels(Store& store) {
   std::vector<Level> levels;
   for (const std::string& name : store.list(own_levels)) {
     const auto text = store.load(name);
-    const carom::Error gone{.pointer = {}, .problem = "is not there any more"};
+    const carom::Error gone{.pointer = {}, .problem = carom::MessageCode::is_gone};
     const std::string file = name.substr(own_levels.size());
     levels.push_back(!text ? read_level(file, text.errors())
                            : read_level(file, text.value() ? carom::Result(*text.value()) : gone));

@@ -3,7 +3,8 @@
 namespace app {
 
 ReplayFault fault_of(const carom::Errors& errors) {
-  const bool foreign = !errors.empty() && errors.front().problem.starts_with("made by ");
+  const bool foreign =
+      !errors.empty() && errors.front().problem.code == carom::MessageCode::is_of_other_version;
   return foreign ? ReplayFault::other_version : ReplayFault::damaged;
 }
 

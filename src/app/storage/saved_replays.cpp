@@ -47,7 +47,7 @@ std::vector<std::string> SavedReplays::names() const {
 carom::Result<replay::Replay> SavedReplays::load(const std::string& name) const {
   const auto stored = store_.load(file_of(name));
   if (!stored) return stored.errors();
-  if (!stored.value()) return carom::Error{.pointer = name, .problem = "is not there any more"};
+  if (!stored.value()) return carom::Error{.pointer = name, .problem = carom::MessageCode::is_gone};
   return replay::read_replay(*stored.value());
 }
 

@@ -1,54 +1,73 @@
 #include "app/widgets/level_fault.hpp"
 
+#include <algorithm>
 #include <array>
-#include <optional>
-#include <string_view>
+#include <string>
+#include <utility>
 
 namespace app {
 namespace {
 
-// In the order in which they are tried.
-constexpr std::array problems{
-    Text::fault_missing, Text::fault_unknown_key,   Text::fault_twice,    Text::fault_empty,
-    Text::fault_json,    Text::fault_nested,        Text::fault_utf8,     Text::fault_gone,
-    Text::fault_object,  Text::fault_array,         Text::fault_newer,    Text::fault_second_lead,
-    Text::fault_is,      Text::fault_no_projectile, Text::fault_no_enemy, Text::fault_too_many,
-    Text::fault_speed,   Text::fault_sticks_out,    Text::fault_overlaps, Text::fault_unopened,
-};
-constexpr std::array expectations{
-    Text::fault_want_greater_to, Text::fault_want_greater,  Text::fault_want_from_to,
-    Text::fault_want_from_most,  Text::fault_want_least,    Text::fault_want_whole,
-    Text::fault_want_one_of,     Text::fault_want_one_lead, Text::fault_want_most,
+using enum carom::MessageCode;
+
+/// The text of a code. Codes without one are said in English, or left out where they only add what
+/// was expected.
+struct Row {
+  carom::MessageCode code;
+  Text text;
 };
 
-/// What stands for {0} and {1} of the pattern in `text`; nothing if the text is another.
-std::optional<std::array<std::string_view, 2>> values_in(std::string_view text,
-                                                         std::string_view pattern) {
-  std::array<std::string_view, 2> values;
-  for (std::string_view& value : values) {
-    const std::size_t sign = pattern.find('{');
-    if (!text.starts_with(pattern.substr(0, sign))) return std::nullopt;
-    if (sign == std::string_view::npos) break;
-    text.remove_prefix(sign);
-    pattern.remove_prefix(sign + 3);
-    const std::string_view next = pattern.substr(0, pattern.find('{'));
-    const std::size_t end = next.empty() ? text.size() : text.find(next);
-    if (end == std::string_view::npos) return std::nullopt;
-    value = text.substr(0, end);
-    text.remove_prefix(end);
-  }
-  return text == pattern ? std::optional(values) : std::nullopt;
-}
+constexpr std::array rows{
+    Row{is_missing, Text::fault_missing},
+    Row{is_unknown_key, Text::fault_unknown_key},
+    Row{is_given_twice, Text::fault_twice},
+    Row{is_empty, Text::fault_empty},
+    Row{is_not_json, Text::fault_json},
+    Row{is_not_json_found, Text::fault_json},
+    Row{is_not_json_utf8, Text::fault_json},
+    Row{is_not_json_open_text, Text::fault_json},
+    Row{is_not_json_control, Text::fault_json},
+    Row{is_not_json_escape, Text::fault_json},
+    Row{is_nested_too_deeply, Text::fault_nested},
+    Row{is_not_utf8, Text::fault_utf8},
+    Row{is_gone, Text::fault_gone},
+    Row{is_object, Text::fault_object},
+    Row{is_array, Text::fault_array},
+    Row{is_newer, Text::fault_newer},
+    Row{is_second_lead, Text::fault_second_lead},
+    Row{is, Text::fault_is},
+    Row{has_no_projectile, Text::fault_no_projectile},
+    Row{has_no_enemy, Text::fault_no_enemy},
+    Row{has_elements, Text::fault_too_many},
+    Row{has_more_elements, Text::fault_too_many},
+    Row{moves_at, Text::fault_speed},
+    Row{sticks_out_left, Text::fault_sticks_out},
+    Row{sticks_out_right, Text::fault_sticks_out},
+    Row{sticks_out_bottom, Text::fault_sticks_out},
+    Row{sticks_out_top, Text::fault_sticks_out},
+    Row{overlaps_obstacle, Text::fault_overlaps},
+    Row{cannot_be_opened, Text::fault_unopened},
+    Row{number_above_to, Text::fault_want_greater_to},
+    Row{number_above, Text::fault_want_greater},
+    Row{number_from_to, Text::fault_want_from_to},
+    Row{number_from, Text::fault_want_least},
+    Row{whole_number_from_to, Text::fault_want_whole},
+    Row{one_of, Text::fault_want_one_of},
+    Row{one_lead_first, Text::fault_want_one_lead},
+    Row{at_most, Text::fault_want_most},
+};
 
-/// The engine's sentence in the player's language; empty if none of the texts is that sentence.
-template <std::size_t n>
-std::string translated(const Words& words, std::string_view sentence,
-                       const std::array<Text, n>& texts) {
-  const Words english(Language::en);
-  for (const Text text : texts)
-    if (const auto values = values_in(sentence, english(text, {"{0}", "{1}"})))
-      return words(text, {(*values)[0], (*values)[1]});
-  return {};
+/// In the player's language; empty if there is no text.
+std::string translated(const Words& words, const carom::Message& message) {
+  const auto* const row =
+      std::ranges::find(rows, message.code, [](const Row& known) { return known.code; });
+  if (row == rows.end()) return {};
+  // A number's unit follows it; it is the last argument.
+  const std::size_t last = message.code == number_above || message.code == number_from ? 0 : 1;
+  std::array<std::string, 2> values;
+  for (std::size_t i = 0; i < message.arguments.size(); ++i)
+    values[std::min(i, last)] += message.arguments[i];
+  return words(row->text, {values[0], values[1]});
 }
 
 }  // namespace
@@ -56,12 +75,10 @@ std::string translated(const Words& words, std::string_view sentence,
 std::string problem_of(const Words& words, const Level& level) {
   if (level.scene || words.language() == Language::en) return level.problem;
   carom::Error error = level.scene.errors().front();
-  const std::string problem = translated(words, error.problem, problems);
-  const std::string expected = translated(words, error.expected, expectations);
-  if (!problem.empty()) error.problem = problem;
-  error.expected.clear();
+  const std::string expected = translated(words, std::exchange(error.expected, {}));
+  if (std::string problem = translated(words, error.problem); !problem.empty())
+    error.problem = std::move(problem);
   const std::string text = carom::to_string(error, level.file);
-  // An expectation that has no translation is left out.
   return expected.empty() ? text : words(Text::fault_with_expected, {text, expected});
 }
 

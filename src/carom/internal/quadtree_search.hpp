@@ -169,7 +169,7 @@ class QuadtreeSearch {
   template <class Scan>
   void squares(const Quadtree::Level& level, double x0, double x1, double y0, double y1,
                Scan scan) const {
-    constexpr double hair = 1e-6;  // of a square: more than rounding costs in coordinate()
+    constexpr double hair = 1e-3;  // of a square: more than rounding costs in coordinate()
     const double more = hair * level.side;
     const auto [left, bottom] = Quadtree::place(level, x0 - more, y0 - more);
     const auto [right, top] = Quadtree::place(level, x1 + more, y1 + more);
@@ -351,12 +351,12 @@ class QuadtreeSearch {
 ///
 /// A number of the size of `no_fractions` has no room for fractions: the sum is rounded to the
 /// nearest whole number, half a square down, and stands in its lowest bits. A position at a
-/// boundary, to within rounding, may come to either side of it, and far away all squares are one;
-/// but a higher position never comes to a lower square, so a range of positions is in the range of
+/// boundary, to within rounding, may come to either side of it, and beyond 2⁴⁰ squares all are one,
+/// so that rounding never costs more than 2⁻¹² of a square; a higher position never comes to a lower square, so a range of positions is in the range of
 /// their squares.
 inline constexpr double no_fractions = 0x1.8p52;
 [[gnu::always_inline]] inline Long2 coordinates(Double2 positions, double per_side) {
-  const Double2 most{0x1p50, 0x1p50};
+  const Double2 most{0x1p40, 0x1p40};
   const Double2 scaled = max2(min2(positions * per_side, most), -most);
   return std::bit_cast<Long2>((scaled - 0.5) + no_fractions);
 }

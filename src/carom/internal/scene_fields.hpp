@@ -26,11 +26,12 @@ struct Range {
 
 bool contains(const Range& range, double number);
 
-inline constexpr Range size_range{0, Range::Low::excluded, max_quantity, "px"};
+inline constexpr Range size_range{min_size, Range::Low::included, max_quantity, "px"};
 inline constexpr Range coordinate_range{-max_quantity, Range::Low::included, max_quantity, "px"};
 inline constexpr Range velocity_range{-max_speed, Range::Low::included, max_speed, "px/s"};
 inline constexpr Range acceleration_range{0, Range::Low::included, max_quantity, "px/s²"};
 inline constexpr Range friction_range{0, Range::Low::excluded, 1, ""};
+inline constexpr Range damage_per_speed_range{0, Range::Low::included, max_quantity, ""};
 inline constexpr Range damage_range{0, Range::Low::included, std::numeric_limits<double>::max(),
                                     ""};
 inline constexpr Range solidity_range{0, Range::Low::included, infinite_solidity,
@@ -45,7 +46,7 @@ struct Field {
   double& (*number)(T&) = nullptr;
   Range range = {};
   /// What is expected where no number is.
-  std::string_view expected = {};
+  MessageCode expected = MessageCode::text;
   /// Where an edge goes; null for what is none.
   Edge T::*edge = nullptr;
 
@@ -55,10 +56,10 @@ struct Field {
 };
 
 /// What a field takes, for messages.
-std::string expectation(const Range& range);
+Message expectation(const Range& range);
 template <class T>
-std::string expectation(const Field<T>& field) {
-  return field.number ? expectation(field.range) : std::string(field.expected);
+Message expectation(const Field<T>& field) {
+  return field.number ? expectation(field.range) : Message(field.expected);
 }
 
 /// The index of the key `name`, or the number of keys if there is none.
@@ -73,30 +74,29 @@ static_assert(max_name_bytes == 200 && max_throws == 1000 && format_version == 1
               "the texts below say so");
 
 inline constexpr Field<Scene> scene_fields[] = {
-    {.name = "carom", .required = true, .expected = "1, the version of the format"},
-    {.name = "name", .expected = "a text of at most 200 bytes"},
+    {.name = "carom", .required = true, .expected = MessageCode::format_version},
+    {.name = "name", .expected = MessageCode::text_of_200_bytes},
     {"width", true, [](Scene& s) -> double& { return s.width; }, size_range},
     {"height", true, [](Scene& s) -> double& { return s.height; }, size_range},
-    {.name = "edges", .expected = R"(an object such as {"left": "open"})"},
+    {.name = "edges", .expected = MessageCode::object_of_edges},
     {"friction", false, [](Scene& s) -> double& { return s.friction; }, friction_range},
     {"gravity", false, [](Scene& s) -> double& { return s.gravity; }, acceleration_range},
     {"hole_pull", false, [](Scene& s) -> double& { return s.hole_pull; }, acceleration_range},
     {"damage_per_speed", false, [](Scene& s) -> double& { return s.damage_per_speed; },
-     damage_range},
+     damage_per_speed_range},
     {"damage_threshold", false, [](Scene& s) -> double& { return s.damage_threshold; },
      damage_range},
-    {.name = "throws", .expected = "a whole number from 1 to 1000"},
-    {.name = "holes", .expected = "an array of holes"},
-    {.name = "obstacles", .expected = "an array of obstacles"},
-    {.name = "balls", .required = true, .expected = "an array of balls"},
+    {.name = "throws", .expected = MessageCode::throws},
+    {.name = "holes", .expected = MessageCode::array_of_holes},
+    {.name = "obstacles", .expected = MessageCode::array_of_obstacles},
+    {.name = "balls", .required = true, .expected = MessageCode::array_of_balls},
 };
 
-inline constexpr std::string_view edge_expected = R"("solid" or "open")";
 inline constexpr Field<Edges> edges_fields[] = {
-    {.name = "left", .expected = edge_expected, .edge = &Edges::left},
-    {.name = "right", .expected = edge_expected, .edge = &Edges::right},
-    {.name = "bottom", .expected = edge_expected, .edge = &Edges::bottom},
-    {.name = "top", .expected = edge_expected, .edge = &Edges::top},
+    {.name = "left", .expected = MessageCode::edge, .edge = &Edges::left},
+    {.name = "right", .expected = MessageCode::edge, .edge = &Edges::right},
+    {.name = "bottom", .expected = MessageCode::edge, .edge = &Edges::bottom},
+    {.name = "top", .expected = MessageCode::edge, .edge = &Edges::top},
 };
 
 inline constexpr Field<Hole> hole_fields[] = {
@@ -118,7 +118,7 @@ inline constexpr Field<Ball> ball_fields[] = {
     {"vy", false, [](Ball& b) -> double& { return b.velocity.y; }, velocity_range},
     {"radius", false, [](Ball& b) -> double& { return b.radius; }, size_range},
     {"solidity", false, [](Ball& b) -> double& { return b.solidity; }, solidity_range},
-    {.name = "role", .expected = R"("neutral", "cue", "red", "enemy" or "projectile")"},
+    {.name = "role", .expected = MessageCode::role},
 };
 
 /// As files name them, in the order of the enumerations.
