@@ -51,7 +51,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
   session_.system_language = start.language;
   session_.system_reduced_motion = session_.host.reduced_motion;
   if (start.asked) session_.asked_language = start.language;
-  words_.speak(language_of(session_));
+  speak(session_, words_);
   words_.name_players(session_.settings.get().names);
   session_.keyboard.bindings = session_.settings.get().keys;
   if (session_.host.touch) words_.take_hand(InputDevice::finger);
@@ -99,6 +99,14 @@ bool App::presses_button(const Input& input) const {
   if ((!enter && !is_key(input, Key::space)) || (!help_ && screen_->typing())) return false;
   return std::ranges::any_of(open, &Box::focused) ||
          (enter && std::ranges::any_of(open, &Box::primary));
+}
+
+void App::take_texts(Language language, std::string file) {
+  if (!load_texts(language, std::move(file))) return;
+  speak(session_, words_);
+  atlas_.clear();          // of what it has, little is needed any more
+  screen_->resize(view_);  // buttons are written anew
+  if (help_) help_->resize(view_);
 }
 
 void App::mute() {
@@ -328,7 +336,7 @@ void App::go(Transition transition) {
       cover(std::make_unique<SettingsScreen>(words_, session_));
       break;
     case Transition::help:
-      help_.emplace(words_, session_.keyboard);
+      help_.emplace(words_, session_.keyboard, session_.host);
       help_->resize(view_);
       return;
     case Transition::back:

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "files/files.hpp"
+#include "licences/licences.hpp"
 #include "platform/data_folder.hpp"
 #include "platform/level_files.hpp"
 #include "platform/null_platform.hpp"
@@ -141,7 +142,8 @@ int play_in_window(const Options& options, app::StartLanguage language,
                                              .width = options.size.first,
                                              .height = options.size.second,
                                              .store = store,
-                                             .levels = platform::read_levels(levels)});
+                                             .levels = platform::read_levels(levels),
+                                             .host = {.licences = licences::text}});
   if (!window) {
     std::cerr << "angry-balls: no display: " << window.errors().front().problem
               << " (a script plays without one: --script FILE)\n";
@@ -162,6 +164,8 @@ int main(int argc, char** argv) {
       ->type_name("");
   cli.footer(examples);
   cli.set_version_flag("--version", ANGRY_BALLS_VERSION);
+  bool licences = false;
+  cli.add_flag("--licences", licences, "Print the licences of this program and of its parts");
   auto* script =
       cli.add_option("--script", options.script,
                      "Play the inputs in FILE (\"-\": standard input), without a display")
@@ -189,6 +193,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? done : bad_input;
   }
+  if (licences) return (std::cout << licences::text).flush() ? done : cannot_write;
 
   const bool asked = !options.language.empty();
   const app::StartLanguage language(

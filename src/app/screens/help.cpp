@@ -31,11 +31,13 @@ Text own_section(InputDevice hand) {
 
 }  // namespace
 
-Help::Help(const Words& words, Keyboard& keyboard)
+Help::Help(const Words& words, Keyboard& keyboard, const HostEnvironment& host)
     : words_(words),
       keyboard_(keyboard),
-      buttons_({words(Text::change_keys), words(Text::close)}, close),
+      host_(host),
+      buttons_({words(Text::change_keys), words(Text::close), words(Text::licences)}, close),
       pager_({"‹", "›"}) {
+  buttons_.explain(licences, words(Text::tip_licences));
   buttons_.explain(keys, words(Text::tip_keys));
   buttons_.explain(close, words(Text::tip_close_help));
   pager_.explain(previous, words(Text::tip_page));
@@ -47,9 +49,11 @@ void Help::resize(const View& view) {
   frame_ = centered(view.area().center(), std::min(view.width - view.px(8), view.px(most_width)),
                     std::min(view.height - view.px(8), view.px(592)));
   Rect rest = frame_.inset(view.px(16), view.px(10));
-  if (panel_) panel_->resize(view, rest);
+  if (auto* keys_panel = std::get_if<KeysPanel>(&panel_)) keys_panel->resize(view, rest);
+  if (auto* texts = std::get_if<LicencesPanel>(&panel_)) texts->resize(view, rest);
   head_ = rest.cut_top(view.px(44));
-  page_label_ = head_.cut_right(view.px(120));
+  page_label_ = head_.cut_right(view.px(110));
+  buttons_.place(view, licences, head_.cut_right(view.px(116)));
   Rect row = rest.cut_bottom(view.button(button_height));
   const float gap = view.px(8);
   for (const auto& [button, width] : {std::pair{previous, 56.0f}, {next, 56.0f}}) {
@@ -129,9 +133,10 @@ void Help::lay_out(std::span<const Section> in_order) {
 void Help::turn(std::size_t by) { page_ = (page_ + by) % pages_; }
 
 bool Help::event(const Input& input) {
-  if (panel_) {
-    if (!panel_->event(input)) {
-      panel_.reset();
+  if (panel_.index() != 0) {
+    auto* const keys_panel = std::get_if<KeysPanel>(&panel_);
+    if (!(keys_panel ? keys_panel->event(input) : std::get<LicencesPanel>(panel_).event(input))) {
+      panel_.emplace<std::monostate>();
       lay_out();
     }
     return true;
@@ -156,8 +161,13 @@ bool Help::event(const Input& input) {
   const auto chosen = buttons_.event(input);
   if (!chosen) return !beside;
   if (*chosen == close) return false;
-  panel_.emplace(words_, keyboard_);
-  panel_->resize(view_, frame_.inset(view_.px(16), view_.px(10)));
+  if (*chosen == keys)
+    panel_.emplace<KeysPanel>(words_, keyboard_);
+  else if (host_.licences.empty() && host_.show_licences)
+    host_.show_licences();
+  else
+    panel_.emplace<LicencesPanel>(words_, host_.licences);
+  resize(view_);
   return true;
 }
 
@@ -170,7 +180,8 @@ void Help::draw(Canvas& canvas) const {
                Paint::vertical(frame_, palette::panel, palette::slate_top));
   stroke_rounded(canvas.list, frame_, radius, canvas.px(2),
                  Paint::vertical(frame_, palette::brass, palette::brass_dark));
-  if (panel_) return panel_->draw(canvas);
+  if (const auto* panel = std::get_if<KeysPanel>(&panel_)) return panel->draw(canvas);
+  if (const auto* panel = std::get_if<LicencesPanel>(&panel_)) return panel->draw(canvas);
   label(canvas, head_, {Face::black, 28, palette::cream}, words_(Text::help));
   if (pages_ > 1)
     label(canvas, page_label_, {Face::regular, 16, palette::muted, Align::right},
@@ -192,7 +203,10 @@ void Help::draw(Canvas& canvas) const {
 }
 
 std::string Help::describe() const {
-  return words_(Text::product) + " · " + words_(panel_ ? Text::keys_title : Text::help);
+  return words_(Text::product) + " · " +
+         words_(std::holds_alternative<KeysPanel>(panel_)       ? Text::keys_title
+                : std::holds_alternative<LicencesPanel>(panel_) ? Text::licences
+                                                                : Text::help);
 }
 
 }  // namespace app
