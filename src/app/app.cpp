@@ -51,7 +51,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
   session_.system_language = start.language;
   session_.system_reduced_motion = session_.host.reduced_motion;
   if (start.asked) session_.asked_language = start.language;
-  words_.speak(language_of(session_));
+  speak(session_, words_);
   words_.name_players(session_.settings.get().names);
   session_.keyboard.bindings = session_.settings.get().keys;
   if (session_.host.touch) words_.take_hand(InputDevice::finger);
@@ -83,6 +83,14 @@ void App::event(const Input& input) {
     give(*meant);
   }
   note_hand(input);
+}
+
+void App::take_texts(Language language, std::string file) {
+  if (!load_texts(language, std::move(file))) return;
+  speak(session_, words_);
+  atlas_.clear();          // of what it has, little is needed any more
+  screen_->resize(view_);  // buttons are written anew
+  if (help_) help_->resize(view_);
 }
 
 void App::mute() {

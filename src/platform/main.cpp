@@ -14,6 +14,7 @@
 
 #include "cli/options.hpp"
 #include "files/files.hpp"
+#include "licences/licences.hpp"
 #include "platform/data_folder.hpp"
 #include "platform/level_files.hpp"
 #include "platform/null_platform.hpp"
@@ -145,7 +146,8 @@ int play_in_window(const Options& options, app::StartLanguage language,
                                              .width = options.size.first,
                                              .height = options.size.second,
                                              .store = store,
-                                             .levels = platform::read_levels(levels)});
+                                             .levels = platform::read_levels(levels),
+                                             .host = {.licences = licences::text}});
   if (!window) {
     std::cerr << "angry-balls: no display: " << carom::to_string(window.errors().front().problem)
               << " (a script plays without one: --script FILE)\n";
@@ -169,6 +171,8 @@ int main(int argc, char** argv) {
       ->type_name("");
   program.footer(examples);
   program.set_version_flag("--version", ANGRY_BALLS_VERSION);
+  bool licences = false;
+  program.add_flag("--licences", licences, "Print the licences of this program and of its parts");
   auto* script =
       program
           .add_option("--script", options.script,
@@ -202,6 +206,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? done : bad_input;
   }
+  if (licences) return (std::cout << licences::text).flush() ? done : cannot_write;
 
   const bool asked = !options.language.empty();
   const app::StartLanguage language(

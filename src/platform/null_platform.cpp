@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "licences/licences.hpp"
 #include "platform/png.hpp"
 
 namespace platform {
@@ -21,7 +22,8 @@ NullPlatform::NullPlatform(app::StartLanguage language, int width, int height,
 NullPlatform::NullPlatform(app::StartLanguage language, int width, int height,
                            std::vector<app::Level> levels, app::Store& store)
     : store_(store),
-      app_(language, width, height, store_, clipboard_, std::move(levels)),
+      app_(language, width, height, store_, clipboard_, std::move(levels),
+           {.licences = licences::text}),
       width_(width),
       height_(height) {}
 

@@ -22,11 +22,14 @@ EM_JS(bool, page_is_touched, (), { return matchMedia("(pointer: coarse)").matche
 EM_JS(void, page_copy, (const char* text), { Module.copy(UTF8ToString(text)); })
 EM_JS(void, page_ask_for_paste, (), { Module.askForPaste(); })
 EM_JS(void, page_choose_file, (), { Module.chooseFile(); })
+EM_JS(void, page_show_licences, (), { Module.showLicences(); })
 EM_JS(char*, page_ask_text, (const char* what, const char* text), {
   const answer = prompt(UTF8ToString(what), UTF8ToString(text));
   return answer === null ? 0 : allocateUTF8(answer);
 })
 EM_JS(void, page_ready, (), { Module.ready(); })
+EM_JS(void, page_give_texts, (), { Module.giveTexts(); })
+EM_JS(void, page_fetch_texts, (const char* code), { Module.fetchTexts(UTF8ToString(code)); })
 // clang-format on
 
 namespace {
@@ -54,6 +57,10 @@ class PageClipboard final : public app::Clipboard {
 std::string taken(char* text) {
   const std::unique_ptr<char, decltype(&std::free)> owned(text, std::free);
   return owned.get();
+}
+
+void fetch_texts(app::Language language) {
+  page_fetch_texts(std::string(app::language_codes[static_cast<std::size_t>(language)]).c_str());
 }
 
 std::optional<std::string> ask_text(const std::string& what, const std::string& text) {
@@ -106,6 +113,19 @@ EMSCRIPTEN_KEEPALIVE void web_cancel() {
   if (window) window->app().event(app::PointerCancelled{});
 }
 
+/// `text`: a language's code, a zero, and its texts.
+EMSCRIPTEN_KEEPALIVE void web_texts(char* text, std::size_t size) {
+  const std::string code(text, strnlen(text, size));
+  const std::size_t begin = std::min(code.size() + 1, size);
+  std::string file(text + begin, size - begin);
+  std::free(text);
+  const app::Language language = app::language_of_locale(code);
+  if (window)
+    window->app().take_texts(language, std::move(file));
+  else
+    app::load_texts(language, std::move(file));
+}
+
 /// Unseen the game stands still; a page that is hidden gets no frames anyway, but not every browser
 /// is sure of it.
 EMSCRIPTEN_KEEPALIVE void web_shown(bool shown) {
@@ -120,6 +140,7 @@ EMSCRIPTEN_KEEPALIVE void web_shown(bool shown) {
 int main() {
   // Keys elsewhere on the page are the browser's: else Tab would go nowhere there.
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
+  page_give_texts();
   auto opened =
       platform::open_window({.language = {app::language_of_locale(taken(page_language()))},
                              .least_width = 1,  // the page is as large as it is
@@ -132,7 +153,10 @@ int main() {
                                       .touch = page_is_touched(),
                                       .can_quit = false,
                                       .choose_file = page_choose_file,
-                                      .ask_text = ask_text}});
+                                      .ask_text = ask_text,
+                                      .licences = {},
+                                      .show_licences = page_show_licences,
+                                      .fetch_texts = fetch_texts}});
   if (!opened) return 1;  // the page says that there is no WebGL
   window = std::move(opened).value();
   page_ready();

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "cli/options.hpp"
+#include "licences/licences.hpp"
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/level_link.hpp"
@@ -20,6 +21,8 @@ int main(int argc, char** argv) {
       "  carom simulate scenes/break.json\n"
       "  carom check levels/*.json\n"
       "  carom simulate --help");
+  bool licences = false;
+  carom.add_flag("--licences", licences, "Print the licences of this program and of its parts");
   int status = tool::done;
   tool::add_simulate(carom, status);
   tool::add_check(carom, status);
@@ -32,6 +35,10 @@ int main(int argc, char** argv) {
     carom.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return carom.exit(error) == 0 ? tool::done : tool::wrong_usage;
+  }
+  if (licences) {
+    std::fwrite(licences::text.data(), 1, licences::text.size(), stdout);
+    return std::fflush(stdout) == 0 && !std::ferror(stdout) ? tool::done : tool::wrong_input;
   }
   if (carom.get_subcommands().empty()) {
     std::fputs(carom.help().c_str(), stderr);

@@ -153,6 +153,13 @@ TEST_P(Layout, HelpOnAllItsPagesAndTheKeys) {
     check(in(Text::keys_title));
     key(app::Key::escape);
     key(app::Key::escape);
+    game.press(in(Text::licences));
+    for (int i = 0; i < 3; ++i) {
+      check(in(Text::licences));
+      key(app::Key::right);
+    }
+    key(app::Key::escape);
+    key(app::Key::escape);
     key(app::Key::escape);
   }
 }

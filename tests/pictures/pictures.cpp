@@ -181,6 +181,9 @@ class Visitor {
     game.press(say(app::Text::change_keys));
     take(game, "keys");
     game.key(Key::escape);
+    game.press("Licences");
+    take(game, "licences");
+    game.key(Key::escape);
     game.key(Key::escape);
     game.key(Key::paste);
     take(game, "title-nothing-to-paste");

@@ -3,8 +3,10 @@
 //   await withPage({ width: 1280, height: 720 }, async (game) => { await game.click(220, 383); … });
 
 import { execFileSync, spawn } from "node:child_process";
+import { readdirSync, readFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { createRequire } from "node:module";
-import { dirname, join } from "node:path";
+import { dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
@@ -33,6 +35,30 @@ async function startServer() {
     server.once("exit", () => reject(new Error("the server does not start")));
   });
   return { address, stop: () => server.kill() };
+}
+
+const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm",
+  ".css": "text/css", ".svg": "image/svg+xml", ".png": "image/png", ".txt": "text/plain",
+  ".webmanifest": "application/manifest+json" };
+
+// A server like startServer()'s that sends what content() gives for a name: bytes, or a text where a
+// redirection leads, or nothing; for a minute the browser need not ask again, as with many servers.
+export async function serve(content) {
+  const server = createServer((request, response) => {
+    const name = new URL(request.url, "http://localhost").pathname.slice(1) || "index.html";
+    const found = content(name);
+    if (found === undefined) return response.writeHead(404).end("<h1>Not found</h1>");
+    if (typeof found === "string") return response.writeHead(302, { Location: found }).end();
+    response.writeHead(200, { "Content-Type": types[extname(name)] ?? "application/octet-stream", "Cache-Control": "max-age=60" });
+    response.end(found);
+  });
+  await new Promise((resolve) => server.listen(0, "localhost", resolve));
+  return { address: `http://localhost:${server.address().port}/`,
+    stop: () => { server.closeAllConnections(); server.close(); } };
+}
+// The page as it is built: names to bytes.
+export function files(place = folder) {
+  return new Map(readdirSync(place).map((name) => [name, readFileSync(join(place, name))]));
 }
 
 // A page with the game in it. Places are in CSS pixels from the top left of the canvas, which fills
@@ -113,9 +139,10 @@ class Game {
   }
 }
 
-// `options`: width, height and whatever else a context of Playwright's takes (hasTouch, locale…).
-export async function withPage({ width = 1280, height = 720, ...options }, play) {
-  const server = await startServer();
+// `options`: width, height, a server of one's own, and whatever else a context of Playwright's takes
+// (hasTouch, locale…).
+export async function withPage({ width = 1280, height = 720, server: own, ...options }, play) {
+  const server = own ?? await startServer();
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
   try {
     const context = await browser.newContext(

@@ -12,6 +12,14 @@ Language language_of(const Session& session) {
   return session.system_language;
 }
 
+void speak(const Session& session, Words& words) {
+  const Language language = language_of(session);
+  if (has_texts(language) || !session.host.fetch_texts)
+    words.speak(language);
+  else
+    session.host.fetch_texts(language);
+}
+
 games::billiards::Options options_of(const Session& session) {
   const Settings& settings = session.settings.get();
   return {.first_player = first_player(settings.breaks, session.last_game),

@@ -73,6 +73,8 @@ struct Session {
 
 /// The language to speak now.
 Language language_of(const Session& session);
+/// Makes `words` speak it, once its texts are there.
+void speak(const Session& session, Words& words);
 /// What a new game of billiards is played by.
 games::billiards::Options options_of(const Session& session);
 

@@ -35,8 +35,10 @@ Help::Help(const Words& words, Session& session)
     : words_(words),
       session_(session),
       keyboard_(session.keyboard),
+      host_(session.host),
       buttons_({{keys, words(Text::change_keys), words(Text::tip_keys)},
-                {close, words(Text::close), words(Text::tip_close_help)}},
+                {close, words(Text::close), words(Text::tip_close_help)},
+                {licences, words(Text::licences), words(Text::tip_licences)}},
                close),
       pager_({{previous, "‹", words(Text::tip_page)}, {next, "›", words(Text::tip_page)}}) {}
 
@@ -45,9 +47,11 @@ void Help::resize(const View& view) {
   frame_ = centered(view.area().center(), std::min(view.width - view.px(8), view.px(most_width)),
                     std::min(view.height - view.px(8), view.px(592)));
   Rect rest = frame_.inset(view.px(16), view.px(10));
-  if (panel_) panel_->resize(view, rest);
+  if (auto* keys_panel = std::get_if<KeysPanel>(&panel_)) keys_panel->resize(view, rest);
+  if (auto* texts = std::get_if<LicencesPanel>(&panel_)) texts->resize(view, rest);
   head_ = rest.cut_top(view.px(44));
-  page_label_ = head_.cut_right(view.px(120));
+  page_label_ = head_.cut_right(view.px(110));
+  buttons_.place(view, licences, head_.cut_right(view.px(116)));
   Rect row = rest.cut_bottom(view.button(button_height));
   const float gap = view.px(8);
   for (const auto& [button, width] : {std::pair{previous, 56.0f}, {next, 56.0f}}) {
@@ -127,9 +131,11 @@ void Help::lay_out(std::span<const Section> in_order) {
 void Help::turn(std::size_t by) { page_ = (page_ + by) % pages_; }
 
 bool Help::event(const Input& input) {
-  if (panel_) {
-    if (!panel_->event(input, session_.sounds)) {
-      panel_.reset();
+  if (panel_.index() != 0) {
+    auto* const keys_panel = std::get_if<KeysPanel>(&panel_);
+    if (!(keys_panel ? keys_panel->event(input, session_.sounds)
+                     : std::get<LicencesPanel>(panel_).event(input, session_.sounds))) {
+      panel_.emplace<std::monostate>();
       lay_out();
     }
     return true;
@@ -154,8 +160,13 @@ bool Help::event(const Input& input) {
   const auto chosen = buttons_.event(input, session_.sounds);
   if (!chosen) return !beside;
   if (*chosen == close) return false;
-  panel_.emplace(words_, keyboard_);
-  panel_->resize(view_, frame_.inset(view_.px(16), view_.px(10)));
+  if (*chosen == keys)
+    panel_.emplace<KeysPanel>(words_, keyboard_);
+  else if (host_.licences.empty() && host_.show_licences)
+    host_.show_licences();
+  else
+    panel_.emplace<LicencesPanel>(words_, host_.licences);
+  resize(view_);
   return true;
 }
 
@@ -168,7 +179,8 @@ void Help::draw(Canvas& canvas) const {
                Paint::vertical(frame_, palette::panel, palette::slate_top));
   stroke_rounded(canvas.list, frame_, radius, canvas.px(2),
                  Paint::vertical(frame_, palette::brass, palette::brass_dark));
-  if (panel_) return panel_->draw(canvas);
+  if (const auto* panel = std::get_if<KeysPanel>(&panel_)) return panel->draw(canvas);
+  if (const auto* panel = std::get_if<LicencesPanel>(&panel_)) return panel->draw(canvas);
   label(canvas, head_, {Face::black, 28, palette::cream}, words_(Text::help));
   if (pages_ > 1)
     label(canvas, page_label_, {Face::regular, 16, palette::muted, Align::right},
@@ -190,7 +202,10 @@ void Help::draw(Canvas& canvas) const {
 }
 
 std::string Help::describe() const {
-  return words_(Text::product) + " · " + words_(panel_ ? Text::keys_title : Text::help);
+  return words_(Text::product) + " · " +
+         words_(std::holds_alternative<KeysPanel>(panel_)       ? Text::keys_title
+                : std::holds_alternative<LicencesPanel>(panel_) ? Text::licences
+                                                                : Text::help);
 }
 
 }  // namespace app

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "app/play/session.hpp"
 #include "app/screens/keys_panel.hpp"
+#include "app/screens/licences_panel.hpp"
+#include "app/storage/host_environment.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/widgets.hpp"
 
@@ -31,7 +33,7 @@ class Help {
     std::string key;   ///< of a title the only text
     std::string what;  ///< empty: a title
   };
-  enum Button : ButtonId { previous, next, keys, close };
+  enum Button : ButtonId { previous, next, keys, close, licences };
 
   struct Section {
     Text title;
@@ -45,10 +47,11 @@ class Help {
   Words words_;
   Session& session_;
   Keyboard& keyboard_;
+  const HostEnvironment& host_;
   View view_;
   Buttons buttons_;
   Buttons pager_;  ///< there if there are several pages
-  std::optional<KeysPanel> panel_;
+  std::variant<std::monostate, KeysPanel, LicencesPanel> panel_;  ///< in its place
   std::vector<Line> lines_;
   std::size_t page_ = 0;
   std::size_t pages_ = 1;

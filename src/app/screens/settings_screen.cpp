@@ -235,7 +235,7 @@ void SettingsScreen::ask_name(const SettingsRow& row) {
 void SettingsScreen::set(Settings settings) {
   if (settings == session_.settings.get()) return;
   session_.settings.set(std::move(settings));
-  words_.speak(language_of(session_));
+  speak(session_, words_);
   words_.name_players(session_.settings.get().names);
 }
 
