@@ -13,7 +13,7 @@ namespace fuzz {
 /// saved can be read.
 inline void play(const platform::Script& script) {
   app::MemoryStore store;
-  platform::NullPlatform game(app::Language::french, 800, 600, {}, store);
+  platform::NullPlatform game(app::Language::fr, 800, 600, {}, store);
   const auto look = [&](const std::string& words) {
     require(!words.empty(), "there are words for what is on screen");
     require(!game.app().draw().vertices.empty(), "there is a picture of it");

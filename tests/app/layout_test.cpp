@@ -392,8 +392,8 @@ TEST_P(Layout, EndOfBilliards) {
     screen.draw(canvas);
     std::size_t modal = list.boxes.size();
     for (std::size_t i = 0; i < list.boxes.size(); ++i)
-      for (const int player : {0, 1})
-        if (list.boxes[i].text == words(Text::wins, {words.player(player)})) modal = i;
+      for (const int winner : {0, 1})
+        if (list.boxes[i].text == words(Text::wins, {words.player(winner)})) modal = i;
     ASSERT_LT(modal, list.boxes.size());
     const std::vector<Box> boxes(list.boxes.begin() + static_cast<std::ptrdiff_t>(modal),
                                  list.boxes.end());

@@ -40,8 +40,8 @@ TEST(LevelFault, LeavesNoEnglishInAnotherLanguage) {
          std::filesystem::directory_iterator(SOURCE_DIR + std::string(folder))) {
       if (entry.path().extension() != ".json") continue;
       std::ifstream file(entry.path(), std::ios::binary);
-      const app::Level level =
-          app::read_level("a.json", {std::istreambuf_iterator<char>(file), {}});
+      const std::string bytes(std::istreambuf_iterator<char>(file), {});
+      const app::Level level = app::read_level("a.json", bytes);
       if (level.scene) continue;
       ++wrong;
       for (const Language language : app::all_languages()) {

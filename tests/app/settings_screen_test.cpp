@@ -162,7 +162,7 @@ TEST(SettingsScreen, EveryLineIsReachedAndChangedByKeys) {
   game.key(Key::escape);
   EXPECT_TRUE(game.says("title screen")) << game.title();
   app::Settings expected;
-  expected.language = app::Language::english;
+  expected.language = app::Language::en;
   expected.volume = 90;
   expected.mute = true;
   expected.hints = false;
@@ -229,14 +229,13 @@ TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
     const std::string before = game.title();
     game.press("Settings");
     ASSERT_TRUE(game.says("Settings · General"));
-    game.press("Language");
-    game.press("Language");
+    choose(game, Language::fr);
     game.key(Key::escape);
     for (const char* label : level ? std::array{"Recommencer", "Menu", "Réglages"}
                                    : std::array{"Recommencer", "Fermer", "Répéter"})
       EXPECT_TRUE(game.shows(label)) << label;
     game.key(Key::settings);
-    game.press("Langue");
+    choose(game, Language::en);
     game.key(Key::settings);
     EXPECT_EQ(game.title(), before);
   }

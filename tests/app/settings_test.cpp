@@ -20,7 +20,7 @@ std::optional<std::string> stored(app::Store& store, const std::string& name = f
 /// Nothing in it is the default.
 Settings all_changed() {
   Settings settings;
-  settings.language = app::Language::french;
+  settings.language = app::Language::fr;
   settings.volume = 35;
   settings.mute = true;
   settings.reduced_motion = app::ReducedMotion::off;

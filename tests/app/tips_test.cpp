@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(InAllLanguages, Tips,
                          testing::Combine(testing::ValuesIn(app::all_languages()),
                                           testing::Values(1280, 720)),
                          [](const auto& test) {
-                           const auto [language, width] = test.param;
-                           return std::string(app::code_of(language)) + "_" + std::to_string(width);
+                           return std::string(app::code_of(std::get<0>(test.param))) + "_" +
+                                  std::to_string(std::get<1>(test.param));
                          });
 
 }  // namespace
