@@ -17,7 +17,7 @@ class PagedListTest : public testing::Test {
     return all;
   }
 
-  PagedList list{app::Words(app::Language::english)};
+  PagedList list{app::Words(app::Language::en)};
 };
 
 TEST_F(PagedListTest, OnePageHasNothingToTurnIt) {
