@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 #include <utility>
@@ -54,6 +55,31 @@ TEST_P(BroadPhases, GiveTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomWorlds, BroadPhases, testing::Range<std::uint64_t>(0, 8));
+
+/// Balls that overlap several others each, sinking into each other.
+carom::Scene heap(std::uint64_t seed) {
+  random_worlds::Numbers n(seed);
+  carom::Scene scene;
+  scene.gravity = n.one_in(4) ? 0 : n.uniform(100, 2000);
+  scene.edges.top = carom::Edge::open;
+  const std::size_t count = 20 + n.below(n.one_in(10) ? 600 : 100);
+  const bool equal = n.one_in(2);
+  const double side = std::sqrt(static_cast<double>(count)) * n.uniform(4, 16);
+  scene.width = side + 60;
+  scene.height = side + 60;
+  while (scene.balls.size() < count)
+    scene.balls.push_back(
+        {.position = {n.uniform(30, 30 + side), n.uniform(30, 30 + side)},
+         .velocity = {n.uniform(-200, 200), n.uniform(-200, 200)},
+         .radius = equal ? 10 : n.uniform(3, 25),
+         .solidity = n.one_in(3) ? n.uniform(0, 4000) : carom::infinite_solidity});
+  return scene;
+}
+
+TEST(BroadPhase, GivesTheSameBitsInHeaps) {
+  for (std::uint64_t seed = 0; seed < worlds_each / 10; ++seed)
+    ASSERT_EQ(difference(heap(seed), 4), "") << "seed " << seed;
+}
 
 // What a world's steps keep from call to call belongs to the state it had: an assignment must not
 // leave it to another state.

@@ -48,6 +48,10 @@ struct RowPairsBuffers {
 /// a later row have that row marked; its pairs of row i are among the balls near i, because what
 /// moves in row i touches i (it is i, j or the third); earlier rows are over. A mark too many costs
 /// time only.
+///
+/// In a heap, where balls overlap several others, a moved ball is looked up again and again only to
+/// find rows that are marked already. There every row is marked at once, and none is looked up when
+/// it moves.
 template <class Index>
 class RowPairs {
  public:
@@ -151,14 +155,22 @@ class RowPairs {
     b_.rows.assign(balls_.size() / 64 + 1, 0);
     b_.rows[balls_.size() / 64] = bit(balls_.size());  // where the search for the next one ends
     if (b_.partners.size() < balls_.size()) b_.partners.resize(balls_.size());
+    std::size_t overlaps = 0;
     index_.pairs([&](std::uint32_t i, std::uint32_t j) {
       if (!overlap(balls_, i, j)) return;
+      ++overlaps;
       const std::uint32_t row = std::min(i, j);
       const std::uint32_t partner = std::max(i, j);
       const bool another = (b_.rows[row / 64] & bit(row)) != 0 && b_.partners[row] != partner;
       b_.partners[row] = another ? several : partner;
       b_.rows[row / 64] |= bit(row);
     });
+    // Half a pair a ball is what a dense gas has, where to look up what moves is quicker.
+    heap_ = overlaps > balls_.size() - balls_.size() / 4;
+    if (heap_) {
+      std::fill(b_.rows.begin(), b_.rows.end(), ~std::uint64_t{0});
+      std::fill_n(b_.partners.begin(), balls_.size(), several);
+    }
   }
 
   bool next_marked_row() {
@@ -188,7 +200,7 @@ class RowPairs {
   void look_around_row() {
     looked_around_ = true;
     seen_from_ = balls_.position(row_);
-    margin_ = balls_.radius[row_] / 4;
+    margin_ = balls_.radius[row_] / (heap_ ? 2 : 4);  // in a heap it moves further
     b_.near.clear();
     index_.near(seen_from_.x, seen_from_.y, touching_factor * balls_.radius[row_] + margin_, factor,
                 [&](std::uint32_t k) {
@@ -202,8 +214,8 @@ class RowPairs {
   void look_after_moved() {
     const std::size_t count = std::exchange(moved_count_, 0);
     if (count == 0) return;
-    std::array<bool, 3> crowded{true, true, true};
-    if (count == 2)
+    std::array<bool, 3> crowded{!heap_, !heap_, !heap_};
+    if (count == 2 && !heap_)
       for (std::size_t n = 0; n < 2; ++n) {
         const std::uint32_t m = moved_[n];
         crowded[n] =
@@ -237,6 +249,7 @@ class RowPairs {
   std::array<std::uint32_t, 3> moved_{};
   std::size_t moved_count_ = 0;
   bool pairs_over_ = false;
+  bool heap_ = false;           ///< every row is marked
   bool looked_around_ = false;  ///< b_.near is what is near the row's ball
   Vec2 seen_from_{};
   double margin_ = 0;
