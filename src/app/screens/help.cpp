@@ -35,7 +35,6 @@ Help::Help(const Words& words, Session& session)
     : words_(words),
       session_(session),
       keyboard_(session.keyboard),
-      host_(session.host),
       buttons_({{keys, words(Text::change_keys), words(Text::tip_keys)},
                 {close, words(Text::close), words(Text::tip_close_help)},
                 {licences, words(Text::licences), words(Text::tip_licences)}},
@@ -162,10 +161,10 @@ bool Help::event(const Input& input) {
   if (*chosen == close) return false;
   if (*chosen == keys)
     panel_.emplace<KeysPanel>(words_, keyboard_);
-  else if (host_.licences.empty() && host_.show_licences)
-    host_.show_licences();
+  else if (session_.host.licences.empty() && session_.host.show_licences)
+    session_.host.show_licences();
   else
-    panel_.emplace<LicencesPanel>(words_, host_.licences);
+    panel_.emplace<LicencesPanel>(words_, session_.host.licences);
   resize(view_);
   return true;
 }

@@ -7,7 +7,6 @@
 #include "app/play/session.hpp"
 #include "app/screens/keys_panel.hpp"
 #include "app/screens/licences_panel.hpp"
-#include "app/storage/host_environment.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/widgets.hpp"
 
@@ -47,7 +46,6 @@ class Help {
   Words words_;
   Session& session_;
   Keyboard& keyboard_;
-  const HostEnvironment& host_;
   View view_;
   Buttons buttons_;
   Buttons pager_;  ///< there if there are several pages
