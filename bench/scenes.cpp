@@ -200,8 +200,8 @@ std::vector<Workload> workloads() {
   add("GAS", 10'000, gas, 20, 100);
   add("GAS", 100'000, gas, 10, 20);
   add("GAS", 1'000'000, gas, 5, 10, true);
-  // Few steps: three that touch share their energy (spec §4), so that our balls would soon stand,
-  // where those of others go on or fly apart.
+  // Few steps: three that touch share their energy (docs/physics.md#three-balls), so that our balls
+  // would soon stand, where those of others go on or fly apart.
   add("DENSE", 100, dense, 5, 20);
   add("DENSE", 1000, dense, 5, 20);
   add("DENSE", 10'000, dense, 5, 20);

@@ -138,7 +138,7 @@ carom::Scene scene(Bytes& bytes) {
 
 }  // namespace
 
-// Whatever finds the pairs, the bits are the same (spec §6).
+// Whatever finds the pairs, the bits are the same (docs/physics.md#finding-the-pairs).
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   const unsigned steps = 1 + bytes.byte() % 4;

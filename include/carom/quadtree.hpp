@@ -11,7 +11,7 @@
 namespace carom {
 
 /// Two indices, first < second; compared first by `first`, then by `second`: the order in which
-/// pairs collide (spec §2).
+/// pairs collide (docs/physics.md#one-step).
 struct Pair {
   std::size_t first = 0;
   std::size_t second = 0;

@@ -81,7 +81,7 @@ struct Edges {
   friend bool operator==(const Edges&, const Edges&) = default;
 };
 
-/// A whole world as data: what a scene file or a level file says (spec §9, §1.1.4, §2.1.3).
+/// A whole world as data: what a scene file or a level file says (docs/formats.md; §1.1.4, §2.1.3).
 struct Scene {
   std::string name{};
   double width = 800;           ///< px, ≥ min_size

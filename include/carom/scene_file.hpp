@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// Reads a scene or level in the JSON form of spec §9 (docs/formats.md). Refuses whatever is not
+/// Reads a scene or level in the JSON form of docs/formats.md. Refuses whatever is not
 /// exactly that, with every error found, each with line, column and pointer; nothing is half-read.
 Result<Scene> read_scene(std::string_view json);
 

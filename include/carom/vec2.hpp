@@ -43,7 +43,7 @@ constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 constexpr double length_squared(Vec2 a) { return dot(a, a); }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// The unit vector along `a`; (1, 0) when `a` is zero (spec §3: coinciding centres).
+/// The unit vector along `a`; (1, 0) when `a` is zero (docs/physics.md#two-balls).
 inline Vec2 unit(Vec2 a) {
   const double norm = length(a);
   return norm > 0 ? a / norm : Vec2{1, 0};

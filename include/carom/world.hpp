@@ -20,7 +20,7 @@ inline constexpr double time_step = 0.01;     ///< s, dt (§1.2.1)
 inline constexpr int steps_per_second = 100;  ///< 1 / time_step
 inline constexpr double rest_speed = 30;      ///< px/s, vmin: slower counts as standing (§1.4.1)
 inline constexpr int max_threads = 64;
-inline constexpr int max_sub_steps = 64;  ///< of one step, for fast balls (spec §2)
+inline constexpr int max_sub_steps = 64;  ///< of one step, docs/physics.md#one-step
 
 /// How a world finds the pairs of balls that may collide. It changes the speed and nothing else.
 enum class BroadPhase : std::uint8_t {
@@ -56,8 +56,8 @@ class World {
   /// Refuses a scene that check() finds anything wrong with.
   static Result<World> create(Scene scene);
 
-  /// Advances by time_step (§1.2.1, spec §2) and returns what happened, in order. The span is good
-  /// until the next step() or the world's end.
+  /// Advances by time_step (docs/physics.md#one-step) and returns what happened, in order. The span
+  /// is good until the next step() or the world's end.
   std::span<const Event> step();
 
   /// Takes steps as step() does, with the same bits, at most `max_steps`, and much quicker than one

@@ -28,7 +28,7 @@ std::string number_text(double number) {
   return text;
 }
 
-// Stage 5's test of a step (spec §2).
+// Stage 5's test of a step (docs/physics.md#one-step).
 bool overlaps(const Obstacle& obstacle, Vec2 position, double radius) {
   const double reach = obstacle.radius + radius;
   return position.y < obstacle.height

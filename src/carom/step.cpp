@@ -18,7 +18,8 @@
 
 namespace carom {
 
-/// One step of a world: the stages of spec §2 in their order, which is part of their meaning.
+/// One step of a world: the stages of docs/physics.md#one-step in their order, which is part of
+/// their meaning.
 class Stepper {
  public:
   explicit Stepper(World& world)
@@ -81,7 +82,8 @@ class Stepper {
 
   std::size_t first_in_play() const { return lead_out_ ? 1 : 0; }
 
-  // Enough parts that no ball moves further than its radius in one (§1.2.1, erratum E2).
+  // Enough parts that no ball moves further than its radius in one (§1.2.1, docs/physics.md#errata,
+  // E2).
   int sub_steps() const {
     if (!any_fast()) return 1;
     double most = 1;
@@ -109,7 +111,8 @@ class Stepper {
     return i < n && too_fast(balls_.vx[i], balls_.vy[i], balls_.radius[i]);
   }
 
-  // Stage 1 (§1.2.1, erratum E1). Two balls at a time: each lane is rounded as a single number is.
+  // Stage 1 (§1.2.1, docs/physics.md#errata, E1). Two balls at a time: each lane is rounded as a
+  // single number is.
   void move(double h, double friction) {
     run_parts(balls_.size(), [&](std::size_t begin, std::size_t end) {
       std::size_t i = std::max(begin, first_in_play());
@@ -181,7 +184,7 @@ class Stepper {
     return u;
   }
 
-  // None for a pair that is parting already (erratum E3).
+  // None for a pair that is parting already (docs/physics.md#errata, E3).
   static Vec2 deviation(Vec2 va, Vec2 vb, Vec2 u) {
     return std::max(dot(va, u) - dot(vb, u), 0.0) * u;
   }
@@ -353,7 +356,7 @@ class Stepper {
   }
 
   // Mirrors away what of a ball's velocity goes against u, the unit vector out of what it hit; all
-  // it does for a ball that is parting already is to tell (erratum E3).
+  // it does for a ball that is parting already is to tell (docs/physics.md#errata, E3).
   void bounce(std::size_t i, Vec2 u, EventKind kind, std::size_t what) {
     const Vec2 velocity = balls_.velocity(i);
     const Vec2 change = -2.0 * std::min(dot(velocity, u), 0.0) * u;

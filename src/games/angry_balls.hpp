@@ -12,8 +12,9 @@
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
 
-/// Angry Balls (§2.3, spec §8): a state machine like billiards. A level is a scene with a
-/// projectile and at least one enemy; the projectile's place in it is the launch place.
+/// Angry Balls (§2.3, docs/physics.md#angry-balls): a state machine like billiards. A level is a
+/// scene with a projectile and at least one enemy; the projectile's place in it is the launch
+/// place.
 namespace games::angry_balls {
 
 /// After this many steps (30 simulated seconds) the next throw is offered, whatever still moves.

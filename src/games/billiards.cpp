@@ -94,7 +94,7 @@ Obstruction Game::obstruction(carom::Vec2 position) const {
   const auto overlaps = [&](carom::Vec2 centre, double radius) {
     return carom::length_squared(centre - position) < (radius + r) * (radius + r);
   };
-  // As the engine tests obstacles (spec §2, stage 5).
+  // As the engine tests obstacles (docs/physics.md#one-step, stage 5).
   for (const carom::Obstacle& obstacle : table.obstacles)
     if (position.y < obstacle.height
             ? std::abs(position.x - obstacle.x) < obstacle.radius + r
@@ -158,7 +158,8 @@ void Game::step() {
   }
 }
 
-// Reds that fall in the same step count in index order (spec §7), whatever holes they fall into.
+// Reds that fall in the same step count in index order (docs/physics.md#billiards), whatever holes
+// they fall into.
 void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
   for (const std::uint32_t id : ids_by_index) {
     const auto fell = [&](const carom::Event& event) {

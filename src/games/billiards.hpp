@@ -15,9 +15,9 @@
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
 
-/// Billiards for two (§1.4, spec §7): a state machine. Commands go in by apply(), time by step();
-/// state and events come out. A table is any scene with a cue ball; all its other balls count as
-/// reds.
+/// Billiards for two (§1.4, docs/physics.md#billiards): a state machine. Commands go in by apply(),
+/// time by step(); state and events come out. A table is any scene with a cue ball; all its other
+/// balls count as reds.
 namespace games::billiards {
 
 inline constexpr int reds = 36;  ///< in a triangle of 8 rows (§1.4.2)
@@ -29,7 +29,8 @@ inline constexpr carom::Vec2 apex_start{540, 200};  ///< px, the red nearest the
 /// Friction ends every turn seen long before; this is the promise that no turn can hang.
 inline constexpr std::uint64_t max_turn_steps = 12'000;
 
-/// The table at the start: 800 × 400 px, six holes, the rack, the cue ball (spec §1, §7).
+/// The table at the start: 800 × 400 px, six holes, the rack, the cue ball
+/// (docs/physics.md#billiards).
 carom::Scene rack();
 
 /// What keeps a sound scene from being a table: no cue ball. Empty when nothing does.
@@ -109,8 +110,8 @@ class Game {
   void step();
 
   /// What stands in the way of the cue ball at `position` (px): it must overlap no ball, no hole
-  /// and no cushion, nor stick out of an open side (spec §7). A position that is not finite gives
-  /// cushion.
+  /// and no cushion, nor stick out of an open side (docs/physics.md#billiards). A position that is
+  /// not finite gives cushion.
   Obstruction obstruction(carom::Vec2 position) const;
 
   const Options& options() const { return options_; }

@@ -68,7 +68,7 @@ std::optional<std::string> Invariants::after_step(const carom::World& world) {
 }
 
 double Invariants::energy_bound(const carom::Scene& fixed) const {
-  double parts = 1;  // of the step (spec §2)
+  double parts = 1;  // of the step (docs/physics.md#one-step)
   double energy = 0;
   double undivided = 0;
   for (const Ball& ball : before_) {

@@ -11,7 +11,7 @@ namespace carom {
 
 inline constexpr double separation_factor = 1.01;  ///< distance after a collision (§1.2.3)
 /// Within this times the sum of radii two balls touch: just above the separation, so that a
-/// separated pair still does (spec §1).
+/// separated pair still does (docs/physics.md).
 inline constexpr double touching_factor = 1.02;
 /// Balls enlarged by this reach into an obstacle's box, enlarged too, when its cap supports them.
 inline constexpr double box_factor = 1.03;

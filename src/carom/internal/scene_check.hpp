@@ -16,8 +16,8 @@ namespace carom {
 std::optional<Error> obstruction_error(const Scene& fixed, Vec2 position, double radius,
                                        std::string pointer);
 
-/// check() without its limit: hands over every error, in the order of spec §9's example. O(balls +
-/// obstacles) as long as these do not lie in heaps.
+/// check() without its limit: hands over every error, in the order of the keys in docs/formats.md.
+/// O(balls + obstacles) as long as these do not lie in heaps.
 void check(const Scene& scene, const std::function<void(Error)>& report);
 
 /// The last error of a list that was cut at max_errors.
