@@ -135,9 +135,9 @@ TEST_F(BilliardsScreenTest, ADoubleClickOnTheCueBallLosesNoTurn) {
 TEST_F(BilliardsScreenTest, StrengthShowsInNumbersUpToTheCap) {
   click(cue());
   screen.event(app::PointerMoved{window(400, 200)});
-  EXPECT_TRUE(shows("1,000 px/s"));
+  EXPECT_TRUE(shows("50.0%"));
   screen.event(app::PointerMoved{window(790, 200)});
-  EXPECT_TRUE(shows("2,000 px/s · max"));
+  EXPECT_TRUE(shows("100.0% · max"));
 }
 
 TEST_F(BilliardsScreenTest, TheCueBallInHandIsPlacedWhereItIsFree) {

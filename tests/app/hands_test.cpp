@@ -377,7 +377,7 @@ TEST(Footer, TheHintStaysInTheMiddleBesideThePower) {
   };
   EXPECT_NEAR(middle("Clavier : flèches"), 640, 1);
   wide.key(Key::up);
-  EXPECT_TRUE(wide.shows("px/s"));
+  EXPECT_TRUE(wide.shows("\u202f%"));
   EXPECT_NEAR(middle("Flèches : viser"), 640, 1);
 }
 

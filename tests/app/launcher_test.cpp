@@ -306,7 +306,7 @@ TYPED_TEST(KeyboardOnly, AimsAndShoots) {
   for (const char sign : std::string("12.5")) this->screen.event(app::TextTyped{{sign}});
   EXPECT_TRUE(this->shows("12.5")) << "in the field";
   this->key(Key::enter);
-  EXPECT_TRUE(this->shows("12.5° · 530 px/s"));
+  EXPECT_TRUE(this->shows("12.5° · 26.5%"));
   this->key(Key::enter);
   const carom::Vec2 velocity = this->screen.game().world().ball(0).velocity;
   EXPECT_NEAR(carom::length(velocity), 530, 0.06);
@@ -352,7 +352,7 @@ TYPED_TEST(KeyboardOnly, TheStrengthRunsOnlyWhileSpaceIsHeld) {
   this->key(Key::space);
   EXPECT_TRUE(this->screen.animating()) << "the picture changes by itself";
   this->screen.iterate(100ms);
-  EXPECT_TRUE(this->shows("610 px/s"));
+  EXPECT_TRUE(this->shows("30.5%"));
   this->screen.event(app::KeyReleased{Key::space});
   EXPECT_FALSE(this->screen.animating());
 }

@@ -43,16 +43,19 @@ void draw_bar(Canvas& canvas, const Rect& bar, const Aim& aim) {
 }
 
 /// The bar, and above it the launch in numbers: off the table, where they cover no ball.
-void draw_meter(Canvas& canvas, const Rect& meter, const Aim& aim, const Words& words) {
+void draw_meter(Canvas& canvas, const Rect& meter, const Aim& aim, const Words& words,
+                bool practice) {
   Rect rest = meter;
   const Rect numbers = rest.cut_top(std::round(rest.h * 0.58f));
   draw_bar(canvas, centered(rest.center(), rest.w, canvas.px(12)), aim);
-  const std::string speed = words(aim.capped() ? Text::speed_capped : Text::speed,
-                                  {words.number(static_cast<int>(std::lround(aim.speed())))});
+  std::string strength =
+      practice ? words(Text::speed, {words.number(static_cast<int>(std::lround(aim.speed())))})
+               : words(Text::per_cent, {words.tenths(100 * aim.speed() / games::max_launch_speed)});
+  if (aim.capped()) strength = words(Text::speed_capped, {strength});
   label(canvas, numbers,
         {Face::bold, 18, aim.capped() ? strength_color(*canvas.list.palette, 1) : palette::cream,
          Align::center},
-        words(Text::aimed, {words.tenths(aim.degrees()), speed}));
+        words(Text::aimed, {words.tenths(aim.degrees()), strength}));
 }
 
 /// A path in the window, without the places that lie on a straight line between others: no seams.
@@ -224,7 +227,8 @@ Rect shoot_button(const View& view, const Rect& footer) {
 }
 
 void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
-                 const Words& words, const std::string& hint, Color color, bool shoot) {
+                 const Words& words, const std::string& hint, Color color, bool practice,
+                 bool shoot) {
   Rect rest = area.inset(canvas.px(16), canvas.px(4));
   if (aim && aim->active()) {
     const Rect meter = strength_meter(canvas.view, area);
@@ -235,7 +239,7 @@ void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntr
     if (entry)
       entry->draw(canvas, meter, words);
     else
-      draw_meter(canvas, meter, *aim, words);
+      draw_meter(canvas, meter, *aim, words, practice);
   }
   if (shoot) {
     const Rect box = shoot_button(canvas.view, area);

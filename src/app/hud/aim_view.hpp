@@ -25,9 +25,11 @@ Rect strength_meter(const View& view, const Rect& footer);
 Rect shoot_button(const View& view, const Rect& footer);
 
 /// The line below the world: what the player can do now, and while a launch is aimed its angle and
-/// speed in numbers, and its strength on a bar up to the greatest, or in their place the fields of
-/// `entry`. `shoot`: the button is there.
+/// strength in numbers and on a bar up to the greatest, or in their place the fields of `entry`. In
+/// practice the strength is a speed in px/s, otherwise a share of the greatest. `shoot`: the button
+/// is there.
 void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
-                 const Words& words, const std::string& hint, Color color, bool shoot = false);
+                 const Words& words, const std::string& hint, Color color, bool practice,
+                 bool shoot);
 
 }  // namespace app

@@ -31,7 +31,7 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
   if (played_.practice()) strip_.draw(canvas);
   draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr,
               launcher && launcher->entry ? &*launcher->entry : nullptr, words_, hint(),
-              hint_color(*list.palette),
+              hint_color(*list.palette), played_.practice().has_value(),
               launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
   const auto* over = std::get_if<Over>(&state_);
   if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
