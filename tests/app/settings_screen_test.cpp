@@ -208,7 +208,7 @@ TEST(SettingsScreen, TheLanguageChangesAtOnceAndStays) {
   game.press("Language");
   EXPECT_TRUE(game.says("Settings"));
   game.press("Language");
-  EXPECT_TRUE(game.says("Einstellungen")) << game.title();
+  EXPECT_TRUE(game.says("Optionen")) << game.title();
   game.press("Sprache");
   EXPECT_TRUE(game.says("Ajustes")) << game.title();
   choose(game, Language::fr);
