@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// What happened in a step. Rules, sounds and effects read only these (docs/physics.md#one-step).
+/// An event of a step. Rules, sounds and effects read only these (docs/physics.md#one-step).
 enum class EventKind : std::uint8_t {
   pair,       ///< two balls collided (§1.2.3); a triple gives three of these (§1.2.4)
   cushion,    ///< a ball was thrown back by an edge (§1.2.2)

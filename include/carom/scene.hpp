@@ -24,7 +24,8 @@ inline constexpr int max_throws = 1000;
 
 inline constexpr double infinite_solidity = std::numeric_limits<double>::infinity();
 
-/// What the rules see in a ball; the physics only asks whether it is the lead (cue, projectile).
+/// The meaning of a ball for the rules; the physics only asks whether it is the lead (cue,
+/// projectile).
 enum class Role : std::uint8_t { neutral, cue, red, enemy, projectile };
 
 /// The cue ball or the projectile: always ball 0, kept there when it goes out of play (§1.4.1).
@@ -43,7 +44,7 @@ struct Ball {
   Vec2 velocity{};                 ///< px/s, at most max_speed long when given
   Vec2 acceleration{};             ///< px/s², what acts in the next step's move; zero at the start
   double radius = default_radius;  ///< px, ≥ min_size
-  /// What shocks wear down; below 0 the ball is destroyed. ≥ 0, or infinite (the default, and
+  /// Worn down by shocks; below 0 the ball is destroyed. ≥ 0, or infinite (the default, and
   /// always for a projectile) (§2.1.1).
   double solidity = infinite_solidity;
 

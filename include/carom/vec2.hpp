@@ -4,7 +4,7 @@
 #include <cmath>
 
 // Every file of the engine includes this one: the same scene must give the same bits everywhere.
-// What compilers do not tell by a macro, arithmetic.hpp finds out when the program runs.
+// arithmetic.hpp finds out at run time what compilers do not tell by a macro.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "carom must not be compiled with -ffast-math or a part of it"

@@ -71,7 +71,7 @@ Error obstacle_error(const Scene& fixed, std::size_t n, std::string pointer) {
           .expected = MessageCode::place_outside_obstacles};
 }
 
-// What the balls of a scene whose numbers are sound lie upon, by the quadtree.
+// The overlaps of balls in a scene whose numbers are sound, by the quadtree.
 class Neighbours {
  public:
   Neighbours(const Scene& scene, std::vector<std::uint32_t> balls)

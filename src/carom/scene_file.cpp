@@ -97,7 +97,7 @@ Message describe(const Value& value) {
   return {MessageCode::is, {shortened(value.raw)}};
 }
 
-// What the members of an object, or the elements of an array, are.
+// The kind of the members of an object, or of the elements of an array.
 enum class Place : std::uint8_t {
   skipped,
   scene,
@@ -439,7 +439,7 @@ class Reader final : public Walker {
     return Place::skipped;
   }
 
-  // What else looks wrong may be right in that version: this is the only error.
+  // This is the only error: anything else may be right in that version.
   Place refuse_newer(const Value& value, MessageCode expected) {
     errors_.clear();
     more_ = 0;
@@ -552,7 +552,7 @@ class Reader final : public Walker {
              R"(\\ for a backslash; or \", \/, \b, \f, \n, \r, \t, \u and 4 hexadecimal digits)");
   }
 
-  // What stands at an offset, for a message; it may be anything, even no valid text.
+  // The text at an offset, for a message; it may be anything, even no valid text.
   std::string found(std::size_t at) {
     if (at == bytes_.size()) return "the end of the file";
     const std::string_view rest = bytes_.substr(at);
@@ -650,7 +650,7 @@ Errors locate(std::string_view json, Errors errors) {
   return in_file_order(json, find_offsets(json, std::move(errors)));
 }
 
-// What has its default is left out, unless the format requires it.
+// A default is left out, unless the format requires it.
 std::string write_scene(const Scene& scene) {
   const ExactArithmetic exact;
   const Scene defaults;

@@ -57,7 +57,7 @@ Writer::Writer(std::filesystem::path path) : path_(std::move(path)) {
     return;
   }
   std::error_code ignored;
-  // What a link points to is replaced, not the link.
+  // The file that a link points to is replaced, not the link.
   if (std::filesystem::is_symlink(path_, ignored)) {
     const auto target = std::filesystem::canonical(path_, ignored);
     if (!target.empty()) path_ = target;

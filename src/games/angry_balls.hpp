@@ -57,7 +57,7 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// What keeps a sound scene from being a level: no projectile, no enemy. Empty when nothing does.
+/// Returns why a sound scene cannot be a level: no projectile, no enemy. Empty if it can.
 carom::Errors check_level(const carom::Scene& scene);
 
 /// carom::read_scene for a level: refuses what check_level finds, too.

@@ -33,10 +33,10 @@ inline constexpr std::uint64_t max_turn_steps = 12'000;
 /// (docs/physics.md#billiards).
 carom::Scene rack();
 
-/// What keeps a sound scene from being a table: no cue ball. Empty when nothing does.
+/// Returns why a sound scene cannot be a table: it has no cue ball. Empty if it can.
 carom::Errors check_table(const carom::Scene& scene);
 
-/// What players may agree on before a game. The defaults are the report's game.
+/// Options that players agree on before a game. The defaults are the report's game.
 struct Options {
   int first_player = 0;  ///< who has the first turn, 0 or 1; any other number means 0
   bool keep_turn =
@@ -83,7 +83,7 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// What a player did in a game so far.
+/// A player's figures in a game so far.
 struct Tally {
   int balls = 0;      ///< reds pocketed
   int best_turn = 0;  ///< the most points made in one turn
@@ -109,7 +109,7 @@ class Game {
   /// physics_events() and events() tell what happened, as after apply().
   void step();
 
-  /// What stands in the way of the cue ball at `position` (px): it must overlap no ball, no hole
+  /// Returns the obstacle to the cue ball at `position` (px): it must overlap no ball, no hole
   /// and no cushion, nor stick out of an open side (docs/physics.md#billiards). A position that is
   /// not finite gives cushion.
   Obstruction obstruction(carom::Vec2 position) const;

@@ -5,8 +5,8 @@
 
 namespace games::angry_balls {
 
-/// What a player would hold against a sound level, found by trying (pointers as in its file; empty
-/// when nothing was found):
+/// The faults of a sound level that a player would notice, found by trying (pointers as in its
+/// file; empty when nothing was found):
 /// - balls that do not stay where they were put while nothing is thrown,
 /// - balls that lie on the launch place,
 /// - enemies that none of a fan of throws, all directions and strengths, wears down, pockets or

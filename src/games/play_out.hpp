@@ -8,7 +8,7 @@
 
 namespace games {
 
-/// What a launch came to.
+/// The outcome of a launch.
 struct Outcome {
   /// As a game gives them: on a table for balls pocketed, in a level for all that are lost.
   std::int64_t points = 0;

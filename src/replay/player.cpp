@@ -153,7 +153,7 @@ bool Player::advance_ahead() {
   return !divergence_;
 }
 
-// What advance_ahead() has found possible.
+// Only what advance_ahead() has found possible.
 void Player::advance_shown() {
   if (shown_.steps_due == 0) {
     const Move& move = replay_.moves[shown_.move];
@@ -177,7 +177,7 @@ void Player::begin_turn() {
   ++reached_turns_;
 }
 
-// What is known at the end of a move: the hash, at the end of the game the score too.
+// Known at the end of a move: the hash, at the end of the game the score too.
 void Player::compare() {
   const Moment& moment = ahead_;
   if (moment.move > 0) {

@@ -31,7 +31,7 @@ inline constexpr std::uint64_t max_steps = 2'000'000;     ///< of a game: five a
 
 enum class Kind : std::uint8_t { billiards, angry_balls };
 
-/// What a player may do. A game that starts again is another replay.
+/// A command of a player. A game that starts again is another replay.
 using Command = std::variant<games::billiards::Shoot, games::billiards::Place,
                              games::angry_balls::Throw, games::angry_balls::Next>;
 

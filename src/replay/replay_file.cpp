@@ -54,7 +54,7 @@ std::optional<std::uint64_t> read_hash(std::string_view text) {
   return hash;
 }
 
-// What is wrong with a version; empty if nothing is.
+// The fault of a version; empty if there is none.
 carom::Message version_problem(std::string_view key, std::uint64_t version) {
   const auto problem = [&](std::string_view what, int own) {
     return version == static_cast<std::uint64_t>(own) ? carom::Message()

@@ -11,7 +11,7 @@
 
 namespace replay {
 
-// What both written forms of a replay share.
+// Shared by both written forms of a replay.
 
 /// Whether a wrong checksum is refused. Fuzzers, which define this name of old, could never guess a
 /// right one and would see nothing of what comes behind.

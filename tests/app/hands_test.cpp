@@ -232,7 +232,7 @@ TEST_F(Hands, ATableByTouchAlone) {
         const app::Point cue =
             table().viewport().to_window(table().game().world().ball(0).position);
         const app::Point way = app::unit({-static_cast<float>(drag.x), static_cast<float>(drag.y)});
-        // Taken beside its middle: a finger is no needle.
+        // Taken beside its middle: a finger is not a needle.
         const app::Point from = cue + app::Point{9, -9};
         finger(app::Finger::Phase::down, from);
         const double speed = std::min(carom::length(drag) * games::launch_factor, 1995.0);

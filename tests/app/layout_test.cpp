@@ -164,7 +164,8 @@ TEST_P(Layout, HelpOnAllItsPagesAndTheKeys) {
   }
 }
 
-/// With buttons for fingers, what they tell, the first lesson, and the words for who does nothing.
+/// With buttons for fingers, what they tell, the first lesson, and the words for a player who does
+/// nothing.
 TEST_P(Layout, ForFingersAndBeginners) {
   game.app().teach_beginners();
   const auto touch = [&] {

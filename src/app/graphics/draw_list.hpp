@@ -36,7 +36,7 @@ struct Box {
   std::string tip{};     ///< what it does
 };
 
-/// What a button does, for who points at it.
+/// A button's tip, for anyone pointing at it.
 struct Tip {
   Rect button;  ///< window px
   std::string text;

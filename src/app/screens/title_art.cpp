@@ -25,7 +25,8 @@ struct Poster {
   Point sun;
 
   explicit Poster(const Rect& art) {
-    // In radii: the pile is 16 wide, 14.2 high, on its apex are horns; 5 more for who comes.
+    // In radii: the pile is 16 wide, 14.2 high, on its apex are horns; 5 more for the ball that
+    // comes.
     r = std::min(art.w / 21, art.h / 16.2f);
     apex = {art.center().x + r * 2.5f, art.bottom() - r * (1 + (rows - 1) * row_distance)};
     cue = apex + Point{-r * 6.6f, r * 0.9f};

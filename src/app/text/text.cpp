@@ -61,7 +61,7 @@ std::string_view text_in(Language language, Text text) {
   return table_with(language, index).texts[index];
 }
 
-/// What is said instead to who plays by another hand than the mouse.
+/// A text used instead for another device than the mouse.
 struct ByHand {
   InputDevice hand;
   Text text;
@@ -98,7 +98,7 @@ constexpr std::array by_hand{
     ByHand{InputDevice::pad, Text::lesson_3, Text::pad_lesson_3},
 };
 
-/// What a sign in brackets stands for, by InputDevice.
+/// The texts of a sign in brackets, by InputDevice.
 struct Sign {
   char sign;
   std::array<Text, 3> texts;

@@ -13,7 +13,7 @@
 /// Every word the player reads.
 namespace app {
 
-/// What the player plays by; the mouse goes with the keys.
+/// The device of the last input; the mouse goes with the keys.
 enum class InputDevice : std::uint8_t { mouse, finger, pad };
 
 inline std::array<Language, language_codes.size()> all_languages() {
@@ -64,7 +64,7 @@ class Words {
   /// Texts tell what to do by this hand.
   void take_hand(InputDevice hand) { voice_->hand = hand; }
   InputDevice hand() const { return voice_->hand; }
-  /// What player() gives; an empty name means "Player 1", "Player 2".
+  /// The names for player(); an empty one means "Player 1", "Player 2".
   void name_players(std::array<std::string, 2> names) { voice_->names = std::move(names); }
 
   /// The text, with {0}, {1}, … replaced by the values given.

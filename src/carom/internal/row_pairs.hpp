@@ -15,7 +15,7 @@
 
 namespace carom {
 
-/// What RowPairs keeps from step to step to save allocations.
+/// Buffers that RowPairs keeps from step to step to save allocations.
 struct RowPairsBuffers {
   std::vector<std::uint64_t> rows;  ///< a bit each
   std::vector<std::uint32_t> partners;

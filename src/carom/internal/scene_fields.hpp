@@ -8,7 +8,7 @@
 
 namespace carom {
 
-// What a scene file is made of: for every kind of object its keys, in the order in which they are
+// The parts of a scene file: for every kind of object its keys, in the order in which they are
 // written. Reading, checking and writing all go by these tables.
 
 inline constexpr std::size_t max_name_bytes = 200;
@@ -45,7 +45,7 @@ struct Field {
   /// Where a number goes, and which numbers; null for what is no number.
   double& (*number)(T&) = nullptr;
   Range range = {};
-  /// What is expected where no number is.
+  /// The expectation for a field that is not a number.
   MessageCode expected = MessageCode::text;
   /// Where an edge goes; null for what is none.
   Edge T::*edge = nullptr;
@@ -55,7 +55,7 @@ struct Field {
   }
 };
 
-/// What a field takes, for messages.
+/// The values that a field takes, for messages.
 Message expectation(const Range& range);
 template <class T>
 Message expectation(const Field<T>& field) {

@@ -21,7 +21,7 @@ struct Box {
 /// A large part of the play area in which no ball's centre is in a hole.
 Box hole_free_box(const Scene& scene);
 
-/// What World::step keeps from call to call to save allocations. No part of the state.
+/// Buffers that World::step keeps from call to call to save allocations. Not part of the state.
 struct Workspace {
   std::vector<std::uint8_t> gone;  ///< by index: went out of play in this sub-step
   std::optional<Box> hole_free;
