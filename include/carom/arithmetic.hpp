@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(__EMSCRIPTEN__)
 #include <xmmintrin.h>
 #elif !defined(__aarch64__) && !defined(__EMSCRIPTEN__)
 #include <cfenv>
@@ -31,7 +31,7 @@ class ExactArithmetic {
   ExactArithmetic& operator=(const ExactArithmetic&) = delete;
 
  private:
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(__EMSCRIPTEN__)
   using Control = std::uint32_t;
   static constexpr Control ignored = 0x3f;     // flags of what has happened
   static constexpr Control standard = 0x1f80;  // all exceptions masked, nearest, no FTZ, no DAZ
