@@ -31,7 +31,7 @@ carom::Result<Outcome> play_out(carom::World& world, carom::Vec2 velocity) {
   const std::uint64_t limit = table ? billiards::max_turn_steps : angry_balls::offer_steps;
   const auto lost = EventKind::pocketed | EventKind::destroyed | EventKind::left;
   Outcome outcome;
-  std::uint32_t scored = 0;
+  int scored = 0;
   const auto count = [&](std::uint64_t, std::span<const carom::Event> events) {
     for (const carom::Event& event : events) {
       if (event.ball == 0 || !lost.has(event.kind)) continue;
