@@ -1,4 +1,4 @@
-#include "carom/internal/display_text.hpp"
+#include "carom/display_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "carom/internal/display_text.hpp"
+#include "carom/display_text.hpp"
 
 namespace carom {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "carom/internal/display_text.hpp"
+#include "carom/display_text.hpp"
 #include "cli/number.hpp"
 
 namespace cli {

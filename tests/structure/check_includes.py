@@ -15,9 +15,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LAYERS = (
     ("json",),
     ("carom",),
-    ("games", "files"),
+    ("games", "files", "licences"),
     ("replay",),
-    ("soak", "search"),
+    ("soak", "search", "cli"),
     ("app",),
     ("platform", "tool"),
 )
