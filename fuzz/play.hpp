@@ -20,7 +20,9 @@ inline void play(const platform::Script& script) {
   };
   require(game.run(script, look).ok(), "the script is played to its end");
   look(game.app().describe());
-  require(!app::KeptGames(store).take_refused(), "a game kept can be read");
+  const app::KeptGames kept(store);
+  for (const std::string& name : kept.names())
+    require(kept.load(name).ok(), "a game kept can be read");
   const app::SavedReplays saved(store);
   for (const std::string& name : saved.names())
     require(saved.load(name).ok(), "a replay saved can be read");

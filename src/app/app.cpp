@@ -8,6 +8,7 @@
 #include "app/hud/lesson.hpp"
 #include "app/screens/angry_balls_screen.hpp"
 #include "app/screens/billiards_screen.hpp"
+#include "app/screens/kept_list.hpp"
 #include "app/screens/level_menu.hpp"
 #include "app/screens/load_screen.hpp"
 #include "app/screens/replay_list.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 std::vector<Level> with_shipped(std::vector<Level> own) {
   std::vector<Level> levels = shipped_levels();
+  for (Level& level : own) level.origin = Origin::own;
   std::ranges::move(own, std::back_inserter(levels));
   return levels;
 }
@@ -195,8 +197,8 @@ bool App::animating() const {
 
 void App::teach_beginners() {
   const Campaign& campaign = session_.campaign;
-  session_.teach = !session_.settings.get().taught && !session_.kept.of(replay::Kind::billiards) &&
-                   !session_.kept.of(replay::Kind::angry_balls) && session_.saved.names().empty() &&
+  session_.teach = !session_.settings.get().taught && session_.kept.names().empty() &&
+                   session_.saved.names().empty() &&
                    std::ranges::none_of(campaign.levels, [&](const Level& level) {
                      return campaign.best.of(level.identity).has_value();
                    });
@@ -229,6 +231,7 @@ void App::open_file(const std::string& name, const std::string& bytes) {
   // Kept under a name that says what is in it: the same level again is no second one.
   const std::string file = own_levels + level.identity + ".json";
   const bool kept = store_.save_new(file, bytes).ok();
+  level.origin = Origin::own;
   play(std::move(level));
   if (!kept) session_.notice = Notice{words_(Text::level_not_kept), {}};
 }
@@ -239,8 +242,7 @@ void App::play(Level level) {
   campaign.current = index.value_or(campaign.levels.size());
   if (!index) campaign.levels.push_back(std::move(level));
   campaign.practice = false;
-  session_.level_opened = session_.kept.of(replay::Kind::angry_balls).has_value();
-  go(session_.level_opened ? Transition::title : Transition::level);
+  go(Transition::level);
 }
 
 void App::refuse(Text title, std::string line) {
@@ -307,6 +309,9 @@ void App::go(Transition transition) {
       break;
     case Transition::resume:
       show(resumed());
+      break;
+    case Transition::kept_games:
+      show(std::make_unique<KeptList>(words_, session_));
       break;
     case Transition::replays:
       show(std::make_unique<ReplayList>(words_, session_));

@@ -107,7 +107,7 @@ void Game::score_lost_balls() {
                       event.kind == carom::EventKind::left ||
                       event.kind == carom::EventKind::pocketed;
     if (!gone || event.ball == 0) continue;
-    const int points = points_for(++turn_balls_);
+    const std::int64_t points = points_for(++turn_balls_);
     score_ += points;
     events_.push_back({.kind = EventKind::scored,
                        .ball = event.ball,

@@ -51,9 +51,9 @@ enum class EventKind : std::uint8_t {
 
 struct Event {
   EventKind kind = EventKind::scored;
-  std::uint32_t ball = 0;  ///< scored: its id
-  int points = 0;          ///< scored
-  carom::Vec2 position{};  ///< scored: px, where the ball was last
+  std::uint32_t ball = 0;   ///< scored: its id
+  std::int64_t points = 0;  ///< scored
+  carom::Vec2 position{};   ///< scored: px, where the ball was last
   friend bool operator==(const Event&, const Event&) = default;
 };
 
@@ -82,7 +82,7 @@ class Game {
   carom::Vec2 launch_place() const { return level_.balls[0].position; }
   int throws_left() const { return throws_left_; }  ///< the one in flight no longer counts
   int enemies_left() const;
-  int score() const { return score_; }
+  std::int64_t score() const { return score_; }
   int turn_balls() const { return turn_balls_; }  ///< destroyed or gone in this turn
 
   /// Events of the last step() or of the last command that was taken: the world's, which a command
@@ -100,7 +100,7 @@ class Game {
   carom::World world_;
   Phase phase_ = Phase::aim;
   int throws_left_;
-  int score_ = 0;
+  std::int64_t score_ = 0;
   int turn_balls_ = 0;
   std::uint64_t turn_steps_ = 0;
   std::vector<carom::Event> physics_;

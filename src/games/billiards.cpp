@@ -59,7 +59,9 @@ Game::Game(Options options) : Game(create(rack(), options).value()) {}
 Game::Game(std::shared_ptr<const carom::World> start, Options options)
     : start_(std::move(start)),
       world_(*start_),
-      options_{.first_player = options.first_player == 1 ? 1 : 0, .keep_turn = options.keep_turn},
+      options_{.first_player = options.first_player == 1 ? 1 : 0,
+               .keep_turn = options.keep_turn,
+               .alone = options.alone},
       phase_(reds_left() == 0 ? Phase::over : Phase::aim),
       player_(options_.first_player) {}
 
@@ -150,11 +152,11 @@ void Game::step() {
   } else if (cue_fell) {
     // The other balls keep their speeds and wait for the next shot (§1.4.1).
     phase_ = Phase::place;
-    pass_turn(1 - player_);
+    pass_turn(other_player());
   } else if (world_.at_rest() || turn_steps_ >= max_turn_steps) {
     world_.stop();
     phase_ = Phase::aim;
-    pass_turn(options_.keep_turn && turn_balls_ > 0 ? player_ : 1 - player_);
+    pass_turn(options_.keep_turn && turn_balls_ > 0 ? player_ : other_player());
   }
 }
 
@@ -166,7 +168,7 @@ void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
       return event.kind == carom::EventKind::pocketed && event.ball == id;
     };
     if (id == 0 || std::ranges::none_of(physics_, fell)) continue;
-    const int points = points_for(++turn_balls_);
+    const std::int64_t points = points_for(++turn_balls_);
     turn_points_ += points;
     scores_[static_cast<std::size_t>(player_)] += points;
     ++tally().balls;
@@ -177,7 +179,8 @@ void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
 
 void Game::pass_turn(int next) {
   player_ = next;
-  turn_balls_ = turn_points_ = 0;
+  turn_balls_ = 0;
+  turn_points_ = 0;
   events_.push_back({.kind = EventKind::turn, .player = player_});
 }
 

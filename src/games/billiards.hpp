@@ -40,7 +40,8 @@ carom::Errors check_table(const carom::Scene& scene);
 struct Options {
   int first_player = 0;  ///< who has the first turn, 0 or 1; any other number means 0
   bool keep_turn =
-      false;  ///< house rule: who scores has the next turn too, unless the cue ball fell
+      false;           ///< house rule: who scores has the next turn too, unless the cue ball fell
+  bool alone = false;  ///< practice: the first player has every turn. Not written in replays
   friend bool operator==(const Options&, const Options&) = default;
 };
 
@@ -77,18 +78,18 @@ enum class EventKind : std::uint8_t {
 
 struct Event {
   EventKind kind = EventKind::turn;
-  int player = 0;          ///< 0 or 1
-  std::uint32_t ball = 0;  ///< scored: the red's id
-  int points = 0;          ///< scored
+  int player = 0;           ///< 0 or 1
+  std::uint32_t ball = 0;   ///< scored: the red's id
+  std::int64_t points = 0;  ///< scored
   friend bool operator==(const Event&, const Event&) = default;
 };
 
 /// A player's figures in a game so far.
 struct Tally {
-  int balls = 0;      ///< reds pocketed
-  int best_turn = 0;  ///< the most points made in one turn
-  int shots = 0;      ///< the one whose balls still roll included
-  int fouls = 0;      ///< turns that pocketed the cue ball
+  int balls = 0;               ///< reds pocketed
+  std::int64_t best_turn = 0;  ///< the most points made in one turn
+  int shots = 0;               ///< the one whose balls still roll included
+  int fouls = 0;               ///< turns that pocketed the cue ball
   friend bool operator==(const Tally&, const Tally&) = default;
 };
 
@@ -118,9 +119,9 @@ class Game {
   Phase phase() const { return phase_; }
   const carom::World& world() const { return world_; }
   int player() const { return player_; }  ///< who is on: 0 or 1
-  int score(int player) const { return scores_[static_cast<std::size_t>(player)]; }
-  int turn_balls() const { return turn_balls_; }    ///< reds pocketed in this turn
-  int turn_points() const { return turn_points_; }  ///< points made in this turn
+  std::int64_t score(int player) const { return scores_[static_cast<std::size_t>(player)]; }
+  int turn_balls() const { return turn_balls_; }             ///< reds pocketed in this turn
+  std::int64_t turn_points() const { return turn_points_; }  ///< points made in this turn
   int reds_left() const;
   /// `player`: 0 or 1.
   const Tally& tally(int player) const { return tallies_[static_cast<std::size_t>(player)]; }
@@ -138,6 +139,7 @@ class Game {
   carom::Status place(carom::Vec2 position);
   void score_pocketed(std::span<const std::uint32_t> ids_by_index);
   void pass_turn(int next);
+  int other_player() const { return options_.alone ? player_ : 1 - player_; }
   Tally& tally() { return tallies_[static_cast<std::size_t>(player_)]; }
 
   std::shared_ptr<const carom::World> start_;  ///< shared by all copies of the game
@@ -145,10 +147,10 @@ class Game {
   Options options_;
   Phase phase_ = Phase::aim;
   int player_ = 0;
-  std::array<int, 2> scores_{};
+  std::array<std::int64_t, 2> scores_{};
   std::array<Tally, 2> tallies_{};
   int turn_balls_ = 0;
-  int turn_points_ = 0;
+  std::int64_t turn_points_ = 0;
   std::uint64_t turn_steps_ = 0;
   std::vector<carom::Event> physics_;
   std::vector<Event> events_;

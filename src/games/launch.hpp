@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "carom/result.hpp"
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
@@ -10,7 +12,7 @@ inline constexpr double launch_factor = 5;        ///< 1/s, K (§1.4.1)
 inline constexpr double max_launch_speed = 2000;  ///< px/s (§1.2.1)
 
 /// Points of the i-th ball of a turn, i from 1 (§1.4.2, §2.3.1).
-constexpr int points_for(int i) { return 100 * i; }
+constexpr std::int64_t points_for(std::int64_t i) { return 100 * i; }
 
 /// The velocity (px/s) a launch gives: launch_factor · drag, where drag (px) leads from the first
 /// click to the second, its length capped at max_launch_speed (§1.4.1).

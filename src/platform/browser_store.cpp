@@ -1,6 +1,7 @@
 #include "platform/browser_store.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <emscripten.h>
 #include <memory>
@@ -9,18 +10,24 @@
 // A script may be refused its storage, and every access then throws. What these give back is to be
 // freed.
 // clang-format off
-EM_JS(char*, browser_store_load, (const char* key), {
+// `size` gets the number of bytes: a text may have NUL in it.
+EM_JS(char*, browser_store_load, (const char* key, std::int32_t* size), {
   try {
     const text = localStorage.getItem("angry-balls/" + UTF8ToString(key));
-    return text === null ? 0 : allocateUTF8(text);
+    if (text === null) return 0;
+    HEAP32[size >> 2] = lengthBytesUTF8(text);
+    return allocateUTF8(text);
   } catch (error) {
     return -1;
   }
 })
 // Empty: it is saved; else why not.
-EM_JS(char*, browser_store_save, (const char* key, const char* text), {
+EM_JS(char*, browser_store_save, (const char* key, const char* text, std::int32_t size), {
   try {
-    localStorage.setItem("angry-balls/" + UTF8ToString(key), UTF8ToString(text));
+    // A copy: what threads share is not decoded.
+    const utf8 = new TextDecoder("utf-8", { ignoreBOM: true });
+    localStorage.setItem("angry-balls/" + UTF8ToString(key),
+      utf8.decode(HEAPU8.slice(text, text + size)));
     return allocateUTF8("");
   } catch (error) {
     return allocateUTF8(String(error.name));
@@ -32,6 +39,20 @@ EM_JS(int, browser_store_remove, (const char* key), {
     return 1;
   } catch (error) {
     return 0;
+  }
+})
+// As it is: what stands there may be no UTF-8 at all. 0: there is something under the new name.
+EM_JS(int, browser_store_move, (const char* from, const char* to), {
+  const start = "angry-balls/";
+  try {
+    const text = localStorage.getItem(start + UTF8ToString(from));
+    if (text === null) return 1;
+    if (localStorage.getItem(start + UTF8ToString(to)) !== null) return 0;
+    localStorage.setItem(start + UTF8ToString(to), text);
+    localStorage.removeItem(start + UTF8ToString(from));
+    return 1;
+  } catch (error) {
+    return -1;
   }
 })
 // A name a line.
@@ -62,18 +83,20 @@ carom::Error trouble(const std::string& name, std::string problem) {
 }  // namespace
 
 carom::Result<std::optional<std::string>> BrowserStore::load(const std::string& name) {
-  char* const found = browser_store_load(name.c_str());
+  std::int32_t size = 0;
+  char* const found = browser_store_load(name.c_str(), &size);
   if (reinterpret_cast<std::intptr_t>(found) == -1)
     return trouble(name, "cannot be read: the browser allows no storage");
   const Text text(found);
   if (!text) return std::optional<std::string>();
-  std::string loaded = text.get();
+  std::string loaded(text.get(), static_cast<std::size_t>(size));
   if (loaded.size() > max_text) return trouble(name, "is larger than 16 MiB");
   return std::optional(std::move(loaded));
 }
 
 carom::Status BrowserStore::save(const std::string& name, const std::string& text) {
-  const Text problem(browser_store_save(name.c_str(), text.c_str()));
+  const Text problem(
+      browser_store_save(name.c_str(), text.data(), static_cast<std::int32_t>(text.size())));
   if (*problem != '\0') return trouble(name, std::string("cannot be kept: ") + problem.get());
   return carom::Done{};
 }
@@ -92,14 +115,11 @@ carom::Status BrowserStore::remove(const std::string& name) {
 }
 
 carom::Status BrowserStore::set_aside(const std::string& name) {
-  const auto text = load(name);
-  if (!text) return text.errors();
-  if (!text.value()) return carom::Done{};
   std::string aside = name + ".broken";
   for (int i = 2;; ++i) {
-    const auto saved = save_new(aside, *text.value());
-    if (!saved) return saved.errors();
-    if (saved.value()) return remove(name);
+    const int moved = browser_store_move(name.c_str(), aside.c_str());
+    if (moved > 0) return carom::Done{};
+    if (moved < 0) return trouble(name, "cannot be kept under another name");
     aside = name + ".broken-" + std::to_string(i);
   }
 }

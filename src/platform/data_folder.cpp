@@ -1,8 +1,14 @@
 #include "platform/data_folder.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <system_error>
+#include <thread>
+#include <unistd.h>
 #include <utility>
 
 #include "files/files.hpp"
@@ -18,6 +24,16 @@ std::optional<fs::path> environment_folder(const char* variable) {
   if (!value || !fs::path(value).is_absolute()) return std::nullopt;
   return fs::path(value);
 }
+
+/// Closing a file lets its flock go, and so does the end of a process that was killed.
+class FileLock final : public app::StoreLock {
+ public:
+  explicit FileLock(int file) : file_(file) {}
+  ~FileLock() override { close(file_); }
+
+ private:
+  int file_;
+};
 
 }  // namespace
 
@@ -37,6 +53,23 @@ FolderStore::FolderStore(fs::path data, fs::path config)
     : data_(std::move(data)), config_(std::move(config)) {
   for (const fs::path& folder : {data_, data_ / "replays", config_})
     files::remove_abandoned(folder, ".json");
+}
+
+std::unique_ptr<app::StoreLock> FolderStore::lock() {
+  constexpr std::chrono::milliseconds most{1000};
+  constexpr std::chrono::milliseconds pause{2};
+  std::error_code ignored;
+  fs::create_directories(data_, ignored);
+  const int file = open((data_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (file < 0) return nullptr;
+  auto lock = std::make_unique<FileLock>(file);
+  for (auto waited = pause; flock(file, LOCK_EX | LOCK_NB) != 0; waited += pause) {
+    // A file system without locks has to do without.
+    if (errno != EWOULDBLOCK && errno != EINTR) break;
+    if (waited > most) return nullptr;
+    std::this_thread::sleep_for(pause);
+  }
+  return lock;
 }
 
 carom::Result<std::optional<std::string>> FolderStore::load(const std::string& name) {

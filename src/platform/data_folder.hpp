@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ class FolderStore final : public app::Store {
   explicit FolderStore(const std::filesystem::path& folder) : FolderStore(folder, folder) {}
   FolderStore(std::filesystem::path data, std::filesystem::path config);
 
+  /// By flock on the file .lock of the data folder: waits a second at most. Null when the folder
+  /// cannot be written to.
+  std::unique_ptr<app::StoreLock> lock() override;
   carom::Result<std::optional<std::string>> load(const std::string& name) override;
   carom::Status save(const std::string& name, const std::string& text) override;
   carom::Result<bool> save_new(const std::string& name, const std::string& text) override;

@@ -60,11 +60,13 @@ bool over(const AnyGame& game) {
   return std::visit([](const auto& played) { return over(played); }, game);
 }
 
-std::array<int, 2> score(const billiards::Game& game) { return {game.score(0), game.score(1)}; }
+std::array<std::int64_t, 2> score(const billiards::Game& game) {
+  return {game.score(0), game.score(1)};
+}
 
-std::array<int, 2> score(const angry_balls::Game& game) { return {game.score(), 0}; }
+std::array<std::int64_t, 2> score(const angry_balls::Game& game) { return {game.score(), 0}; }
 
-std::array<int, 2> score(const AnyGame& game) {
+std::array<std::int64_t, 2> score(const AnyGame& game) {
   return std::visit([](const auto& played) { return score(played); }, game);
 }
 

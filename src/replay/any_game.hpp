@@ -36,8 +36,8 @@ bool over(const games::angry_balls::Game& game);
 bool over(const AnyGame& game);
 
 /// Points so far, as in Replay::score.
-std::array<int, 2> score(const games::billiards::Game& game);
-std::array<int, 2> score(const games::angry_balls::Game& game);
-std::array<int, 2> score(const AnyGame& game);
+std::array<std::int64_t, 2> score(const games::billiards::Game& game);
+std::array<std::int64_t, 2> score(const games::angry_balls::Game& game);
+std::array<std::int64_t, 2> score(const AnyGame& game);
 
 }  // namespace replay

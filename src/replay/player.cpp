@@ -37,9 +37,9 @@ std::vector<Turn> turns_of(const std::vector<Move>& moves) {
   return turns;
 }
 
-int points(std::array<int, 2> score) { return score[0] + score[1]; }
+std::int64_t points(std::array<std::int64_t, 2> score) { return score[0] + score[1]; }
 
-std::string score_text(std::array<int, 2> score, Kind kind) {
+std::string score_text(std::array<std::int64_t, 2> score, Kind kind) {
   std::string text = "score " + std::to_string(score[0]);
   if (kind == Kind::billiards) text += " : " + std::to_string(score[1]);
   return text;
@@ -146,7 +146,7 @@ bool Player::advance_ahead() {
     --moment.steps_due;
   }
   Turn& turn = turns_[reached_turns_ - 1];
-  const int before = reached_turns_ > 1 ? points(turns_[reached_turns_ - 2].score) : 0;
+  const std::int64_t before = reached_turns_ > 1 ? points(turns_[reached_turns_ - 2].score) : 0;
   turn.score = score(moment.game);
   turn.points = points(turn.score) - before;
   if (moment.steps_due == 0) compare();
@@ -194,7 +194,7 @@ void Player::compare() {
       return diverge(text(expected), text(got));
     }
   }
-  const std::array<int, 2> points_made = score(moment.game);
+  const std::array<std::int64_t, 2> points_made = score(moment.game);
   if (at_end(moment) && points_made != replay_.score)
     return diverge(score_text(replay_.score, replay_.kind()),
                    score_text(points_made, replay_.kind()));

@@ -19,9 +19,9 @@ struct Turn {
   std::uint64_t first_step = 0;  ///< steps of the game before the turn
   std::uint64_t steps = 0;       ///< steps of the turn
   // These are known once the look-ahead has reached the turn, and final once it has passed it.
-  int player = 0;              ///< billiards: who plays it, 0 or 1
-  int points = 0;              ///< made in it
-  std::array<int, 2> score{};  ///< after it, as in Replay::score
+  int player = 0;                       ///< billiards: who plays it, 0 or 1
+  std::int64_t points = 0;              ///< made in it
+  std::array<std::int64_t, 2> score{};  ///< after it, as in Replay::score
 };
 
 /// Where a game left the way that its replay tells.

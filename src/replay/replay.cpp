@@ -27,10 +27,12 @@ carom::Errors check(const Replay& replay) {
     report("/game", has_options_of_billiards, "none in \"angry-balls\"");
   if (replay.options.first_player != 0 && replay.options.first_player != 1)
     report("/first-player", {is, {std::to_string(replay.options.first_player + 1)}}, "1 or 2");
+  if (replay.options.alone) report("/game", "is practice", "a game of two players");
   for (std::size_t player = 0; player < 2; ++player)
-    if (replay.score[player] < 0 || (replay.level && player == 1 && replay.score[player] != 0))
+    if (replay.score[player] < 0 || replay.score[player] > max_score ||
+        (replay.level && player == 1 && replay.score[player] != 0))
       report("/score/" + std::to_string(player), {is, {std::to_string(replay.score[player])}},
-             "the points made, from 0 on");
+             "the points made, from 0 to " + std::to_string(max_score));
 
   if (replay.moves.size() > max_moves)
     report("/moves", {has_elements, {std::to_string(replay.moves.size())}},

@@ -28,6 +28,8 @@ inline constexpr std::size_t max_bytes = 4 << 20;         ///< of a file or of a
 inline constexpr std::size_t max_moves = 10'000;          ///< of a game
 inline constexpr std::uint64_t max_move_steps = 360'000;  ///< after one command: an hour
 inline constexpr std::uint64_t max_steps = 2'000'000;     ///< of a game: five and a half hours
+/// Of a player, exact in binary64 too. The greatest world, of 10 million balls, gives 5.0e15.
+inline constexpr std::int64_t max_score = (std::int64_t{1} << 53) - 1;
 
 enum class Kind : std::uint8_t { billiards, angry_balls };
 
@@ -52,7 +54,7 @@ struct Replay {
   games::billiards::Options options{};  ///< billiards: what was agreed on; otherwise the default
   std::vector<Move> moves{};            ///< in their order
   /// Points at the end: of both players of billiards; in Angry Balls the second is 0.
-  std::array<int, 2> score{};
+  std::array<std::int64_t, 2> score{};
   /// Every hash but the last move's is known by its lowest 8 bits only, the others being 0: so it
   /// is read from a text. with_full_hashes() fills them in.
   bool short_hashes = false;

@@ -364,7 +364,8 @@ class Reader {
 
   carom::Message expectation() const {
     if (place_ == Place::start) return std::string(any_replay);
-    if (place_ == Place::score) return "the points made, a whole number from 0 to 2147483647";
+    if (place_ == Place::score)
+      return "the points made, a whole number from 0 to " + std::to_string(max_score);
     if (place_ == Place::moves) return R"(an object such as {"command": "next", "hash": "…"})";
     if (place_ == Place::move) {
       if (key_ == "command") return R"("shoot", "place", "throw" or "next")";
@@ -412,8 +413,8 @@ class Reader {
 
   bool score(const Scalar& value) {
     if (scores_ == 2) return refuse(is_third_score, "one score, in billiards two");
-    if (!value.whole || *value.whole > std::numeric_limits<int>::max()) return wrong_value(value);
-    replay_.score[scores_++] = static_cast<int>(*value.whole);
+    if (!value.whole || *value.whole > std::uint64_t{max_score}) return wrong_value(value);
+    replay_.score[scores_++] = static_cast<std::int64_t>(*value.whole);
     return true;
   }
 

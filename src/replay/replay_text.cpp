@@ -200,9 +200,9 @@ class Reader {
     return 0;
   }
 
-  int points() {
+  std::int64_t points() {
     const std::uint64_t number = whole();
-    if (number <= std::numeric_limits<int>::max()) return static_cast<int>(number);
+    if (number <= std::uint64_t{max_score}) return static_cast<std::int64_t>(number);
     wrong_ = true;
     return 0;
   }

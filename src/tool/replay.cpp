@@ -13,6 +13,7 @@
 #include <utility>
 #include <variant>
 
+#include "carom/printable.hpp"
 #include "carom/trace.hpp"
 #include "files/files.hpp"
 #include "replay/player.hpp"
@@ -37,7 +38,7 @@ struct ReplayOptions {
   std::string against;
 };
 
-std::string score_text(const replay::Replay& replay, const std::array<int, 2>& score) {
+std::string score_text(const replay::Replay& replay, const std::array<std::int64_t, 2>& score) {
   std::string text = std::to_string(score[0]);
   if (replay.kind() == replay::Kind::billiards) text += " : " + std::to_string(score[1]);
   return text;
@@ -50,13 +51,14 @@ void print_turns(const replay::Player& player, std::FILE* out) {
     std::fputs("turn  player  steps  points  score\n", out);
   else
     // In quotes: a name may contain anything.
-    std::fprintf(out, "%s\nturn  steps  points  score\n", Json(replay.level->name).dump().c_str());
+    std::fprintf(out, "%s\nturn  steps  points  score\n",
+                 Json(carom::printable(replay.level->name)).dump().c_str());
   for (std::size_t i = 0; i < player.reached_turns(); ++i) {
     const replay::Turn& turn = player.turns()[i];
     std::fprintf(out, "%4zu", i + 1);
     if (billiards) std::fprintf(out, "  %6d", turn.player + 1);
-    std::fprintf(out, "  %5llu  %6d  %s\n", static_cast<unsigned long long>(turn.steps),
-                 turn.points, score_text(replay, turn.score).c_str());
+    std::fprintf(out, "  %5llu  %6lld  %s\n", static_cast<unsigned long long>(turn.steps),
+                 static_cast<long long>(turn.points), score_text(replay, turn.score).c_str());
   }
 }
 

@@ -71,11 +71,43 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"angry-balls-scores": 1, "best": []})",
                     R"({"angry-balls-scores": 1, "best": {}, "more": 1})",
                     R"({"angry-balls-scores": 1, "best": {"0123456789abcdef": -1}})",
-                    R"({"angry-balls-scores": 1, "best": {"0123456789abcdef": 2147483648}})",
+                    R"({"angry-balls-scores": 1, "best": {"0123456789abcdef": 9007199254740992}})",
                     R"({"angry-balls-scores": 1, "best": {"0123456789abcdef": 1e3}})",
                     R"({"angry-balls-scores": 1, "best": {"0123456789abcdef": null}})",
                     R"({"angry-balls-scores": 1, "best": {"0123456789ABCDEF": 1}})",
                     R"({"angry-balls-scores": 1, "best": {"level 1": 100}})"));
+
+TEST(BestScores, AWrongEntryCostsNoOther) {
+  MemoryStore store;
+  const std::string text = R"({"angry-balls-scores": 1, "best": {"0123456789abcdef": -2146800000,
+      "level 1": 7, "fedcba9876543210": 2150000000}})";
+  ASSERT_TRUE(store.save(file, text));
+  const BestScores scores(store);
+  EXPECT_EQ(scores.trouble(), BestScores::Trouble::set_aside);
+  EXPECT_FALSE(scores.of(level));
+  EXPECT_EQ(scores.of(other), 2'150'000'000);
+  EXPECT_EQ(stored(store, file + ".broken"), text);
+  const BestScores next(store);
+  EXPECT_EQ(next.trouble(), BestScores::Trouble::none);
+  EXPECT_EQ(next.of(other), 2'150'000'000);
+}
+
+TEST(BestScores, WhateverIsRecordedIsReadBack) {
+  MemoryStore store;
+  BestScores scores(store);
+  std::uint64_t random = 1;
+  for (int i = 0; i < 200; ++i) {
+    random = random * 6364136223846793005U + 1442695040888963407U;
+    // Over all magnitudes, the extremes of either sign too.
+    const auto score = static_cast<std::int64_t>(random) >> (i % 64);
+    std::string identity = std::to_string(i);
+    identity.insert(0, 16 - identity.size(), 'a');
+    scores.record(identity, score);
+    const BestScores read(store);
+    ASSERT_EQ(read.trouble(), BestScores::Trouble::none) << score;
+    ASSERT_EQ(read.of(identity), scores.of(identity)) << score;
+  }
+}
 
 /// A disk that refuses some things.
 struct BadStore : app::Store {

@@ -177,11 +177,42 @@ TEST_F(BilliardsScreenTest, AFreshGameIsLeftWithoutAsking) {
   EXPECT_EQ(key(app::Key::escape), app::Transition::title);
 }
 
+TEST_F(BilliardsScreenTest, EscapeFirstLeavesTheFocus) {
+  shoot({cue(), window(300, 200)});
+  watch();
+  key(app::Key::tab);
+  EXPECT_EQ(key(app::Key::escape), app::Transition::stay);
+  EXPECT_EQ(key(app::Key::escape), app::Transition::title);
+}
+
+TEST_F(BilliardsScreenTest, TheFirstTabIsOnTheGear) {
+  key(app::Key::tab);
+  EXPECT_EQ(key(app::Key::enter), app::Transition::settings);
+}
+
+TEST_F(BilliardsScreenTest, KeysStartToAimAtTheNearestRed) {
+  // Far beyond all reds: the middle of the table is no good aim.
+  const auto world = [&]() -> const carom::World& { return screen.game().world(); };
+  for (int turn = 0; turn < 12 && screen.game().phase() != Phase::over; ++turn) {
+    if (screen.game().phase() == Phase::place)
+      click(greedy::choose_place(screen.game(), screen.viewport()));
+    key(app::Key::up);
+    ASSERT_TRUE(screen.aimed());
+    const carom::Vec2 cue_at = world().ball(0).position;
+    const carom::Vec2 red = app::nearest(world(), carom::Role::red, cue_at, {});
+    const carom::Vec2 way = screen.aimed()->drag();
+    EXPECT_GT(carom::dot(carom::unit(way), carom::unit(red - cue_at)), 0.99) << turn;
+    key(app::Key::escape);
+    shoot({cue(), {cue().x + (turn % 2 == 0 ? 300.0f : -300.0f), cue().y + 40.0f}});
+    watch();
+  }
+}
+
 TEST_F(BilliardsScreenTest, AStartedGameIsGivenUpOnlyAfterAQuestion) {
   shoot({cue(), window(300, 200)});
   watch();
   const auto steps = screen.game().world().steps();
-  EXPECT_EQ(click(button("Close")), app::Transition::stay);
+  click(button("Restart"));
   EXPECT_FALSE(screen.animating());
   click(button("Keep playing"));
   EXPECT_EQ(screen.game().world().steps(), steps);
@@ -190,8 +221,7 @@ TEST_F(BilliardsScreenTest, AStartedGameIsGivenUpOnlyAfterAQuestion) {
   EXPECT_EQ(screen.game().world().steps(), 0u);
   shoot({cue(), window(300, 200)});
   screen.iterate(50ms);
-  key(app::Key::escape);
-  EXPECT_EQ(click(button("Leave")), app::Transition::title);
+  EXPECT_EQ(click(button("Close")), app::Transition::title);
 }
 
 TEST_F(BilliardsScreenTest, TheTableWaitsWhileAQuestionIsOpen) {
@@ -226,7 +256,8 @@ TEST_F(BilliardsScreenTest, AWholeGameToTheEndAndAgain) {
   EXPECT_EQ(first.balls + second.balls, games::billiards::reds);
   EXPECT_EQ(first.shots + second.shots, turns);
   for (const auto& tally : {first, second})
-    for (const int count : {tally.balls, tally.best_turn, tally.shots, tally.fouls})
+    for (const std::int64_t count : {std::int64_t{tally.balls}, tally.best_turn,
+                                     std::int64_t{tally.shots}, std::int64_t{tally.fouls}})
       EXPECT_TRUE(shows(app::Words(app::Language::en).number(count)));
 
   app::Settings settings;

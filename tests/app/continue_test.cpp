@@ -1,4 +1,5 @@
-// The game in progress is kept after every turn, and continued bit by bit at the next start.
+// A game in progress is kept after every launch and turn, and continued bit by bit at the next
+// start.
 
 #include "app/greedy_player.hpp"
 #include "app/hud/practice_strip.hpp"
@@ -23,6 +24,15 @@ const std::string level_file = "continue-level.json";
 
 std::optional<std::string> stored(app::Store& store, const std::string& name) {
   return store.load(name).value();
+}
+
+/// The names of the games kept.
+std::vector<std::string> kept(app::Store& store) { return app::KeptGames(store).names(); }
+
+/// The game kept that was played last; nothing if there is none.
+std::optional<std::string> last(app::Store& store) {
+  const auto names = kept(store);
+  return names.empty() ? std::nullopt : stored(store, names.front());
 }
 
 /// One start of the program.
@@ -59,8 +69,7 @@ struct Start : Player {
 };
 
 carom::Vec2 cue_of(app::Store& store) {
-  auto player =
-      replay::verify(replay::read_json(stored(store, table_file).value()).value()).value();
+  auto player = replay::verify(replay::read_json(last(store).value()).value()).value();
   EXPECT_FALSE(player.divergence());
   EXPECT_TRUE(player.seek(player.turns().size()));
   return replay::world(player.game()).ball(0).position;
@@ -84,15 +93,15 @@ TEST(Continue, ATableGoesOnBitByBit) {
   {
     Start game(broken_off);
     first_shot(game);
-    game.shoot(cue_of(broken_off), {44, -60});
+    game.shoot(cue_of(broken_off), {90, 31});
     game.pass(300ms);  // the window is closed while the balls roll
   }
   Start game(broken_off);
   game.load("Continue: billiards, player 2");
-  ASSERT_TRUE(game.says("Player 2 aims")) << game.title();
-  game.shoot(cue_of(broken_off), {90, 31});
+  ASSERT_TRUE(game.says("Player 2 watches")) << "the shot cannot be taken back: " << game.title();
   game.watch();
-  EXPECT_EQ(stored(broken_off, table_file), stored(straight, table_file));
+  EXPECT_EQ(last(broken_off), last(straight));
+  EXPECT_EQ(kept(broken_off).size(), 1U);
 }
 
 TEST(Continue, TellsWhoPlaysOnUnderTheHouseRule) {
@@ -147,14 +156,11 @@ TEST(Continue, ALevelGoesOnBitByBit) {
     begin(game);
   }
   Start game(broken_off);
-  game.press("Angry Balls");
-  EXPECT_TRUE(game.shows("Level 1: First steps")) << "the game asked about";
-  game.press("Cancel");
   game.load("Continue: level 1");
   ASSERT_TRUE(game.says("First steps")) << game.title();
   EXPECT_TRUE(game.says("throws left: 2"));
   end(game);
-  EXPECT_EQ(stored(broken_off, level_file), stored(straight, level_file));
+  EXPECT_EQ(last(broken_off), last(straight));
 }
 
 TEST(Continue, ALevelThatIsNoLongerOnOffer) {
@@ -171,7 +177,7 @@ TEST(Continue, ALevelThatIsNoLongerOnOffer) {
   ASSERT_TRUE(store.save(level_file, replay::write_json(kept)));
   Start game(store);
   game.load("Continue: Random");
-  EXPECT_TRUE(game.says("Level 11: Random")) << game.title();
+  EXPECT_TRUE(game.says("Level 11: “Random”")) << game.title();
 }
 
 TEST(Continue, ALevelWithoutANameIsOfferedAllTheSame) {
@@ -184,47 +190,158 @@ TEST(Continue, ALevelWithoutANameIsOfferedAllTheSame) {
   EXPECT_TRUE(game.shows("Continue: Unnamed level"));
 }
 
-TEST(Continue, AGameGivenUpIsNoLongerOffered) {
+TEST(Continue, LeavingKeepsTheGameWithNoQuestion) {
   app::MemoryStore store;
-  {
-    Start game(store);
-    first_shot(game);
-    ASSERT_TRUE(stored(store, table_file));
-    game.press("Close");
-    game.press("Leave");
-    EXPECT_FALSE(stored(store, table_file));
-    EXPECT_FALSE(game.shows("Continue"));
-    first_shot(game);
-    game.press("Restart");
-    game.press("New game");
-    EXPECT_FALSE(stored(store, table_file));
-  }
   Start game(store);
-  EXPECT_FALSE(game.shows("Continue"));
+  first_shot(game);
+  const auto before = last(store);
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.says("title screen")) << game.title();
+  EXPECT_EQ(last(store), before);
+  game.load("Continue: billiards, player 2");
+  EXPECT_TRUE(game.says("Player 2 aims"));
+  game.press("Close");
+  EXPECT_TRUE(game.shows("Continue: billiards, player 2"));
+
+  game.press("Angry Balls");
+  game.press("First steps");
+  game.throw_by(-60, 10);
+  game.pass(100ms);
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.says("levels:")) << game.title();
+  game.key(app::Key::escape);
+  EXPECT_TRUE(game.shows("Continue: level 1")) << "the game played last";
+  game.load("Continue: level 1");
+  EXPECT_TRUE(game.says("throws left: 2")) << "leaving takes no throw back";
+  EXPECT_TRUE(game.says("watching the throw"));
+  EXPECT_EQ(kept(store).size(), 2U);
 }
 
-TEST(Continue, ANewGameAsksBeforeItTakesThePlaceOfTheOneKept) {
+TEST(Continue, ALaunchIsKeptWhenItIsMade) {
+  app::MemoryStore store;
+  {
+    Start game(store);
+    game.press("Billiards");
+    game.shoot({200, 200}, {-37, 11});
+  }
+  const auto kept_shot = replay::read_json(last(store).value()).value();
+  ASSERT_EQ(kept_shot.moves.size(), 1U);
+  EXPECT_EQ(kept_shot.moves[0].steps, 0U);
+  Start game(store);
+  game.load("Continue: billiards, player 1");
+  ASSERT_TRUE(game.says("Player 1 watches")) << game.title();
+  game.wait_for("Player 2 aims");
+  app::MemoryStore straight;
+  Start whole(straight);
+  first_shot(whole);
+  EXPECT_EQ(last(store), last(straight));
+}
+
+TEST(Continue, ANewGameLeavesTheOthersAlone) {
+  app::MemoryStore store;
+  {
+    Start game(store);
+    first_shot(game);
+    game.key(app::Key::escape);
+  }
+  const auto first = last(store);
+  Start game(store);
+  EXPECT_FALSE(game.shows("Saved games"));
+  game.press("Billiards");
+  EXPECT_TRUE(game.says("Player 1 aims")) << game.title();
+  game.shoot({200, 200}, {-80, 3});
+  game.watch();
+  game.key(app::Key::escape);
+  ASSERT_EQ(kept(store).size(), 2U);
+  EXPECT_EQ(stored(store, kept(store)[1]), first);
+
+  game.press("Saved games");
+  EXPECT_TRUE(game.says("games: 2")) << game.title();
+  const auto names = kept(store);
+  game.press("Delete");  // the lower one: the first game
+  EXPECT_TRUE(game.says("Delete this game?"));
+  game.press("Cancel");
+  EXPECT_EQ(kept(store), names);
+  game.press("1 turn");
+  for (int i = 0; i < 1000 && game.says("Loading"); ++i) game.pass(10ms);
+  EXPECT_TRUE(game.says("aims")) << game.title();
+  game.key(app::Key::escape);
+  game.press("Saved games");
+  game.press("Delete");
+  game.key(app::Key::enter);  // the first button
+  EXPECT_TRUE(game.says("games: 1")) << game.title();
+  EXPECT_EQ(kept(store), std::vector{names[0]});
+}
+
+TEST(Continue, ARestartGivesTheGameUpOnceTheNewOneHasALaunch) {
+  app::MemoryStore store;
+  Start game(store);
+  first_shot(game);
+  const auto first = last(store);
+  game.press("Restart");
+  game.press("Keep playing");
+  game.press("Restart");
+  game.press("New game");
+  EXPECT_EQ(last(store), first);
+  game.shoot({200, 200}, {-80, 3});
+  EXPECT_NE(last(store), first);
+  EXPECT_EQ(kept(store).size(), 1U);
+}
+
+TEST(Continue, TwoWindowsThatGoOnWithTheSameGameKeepBoth) {
   app::MemoryStore store;
   {
     Start game(store);
     first_shot(game);
   }
-  const auto kept = stored(store, table_file);
-  Start game(store);
-  game.press("Billiards");
-  EXPECT_TRUE(game.says("Give up the game kept?"));
-  game.press("Cancel");
-  EXPECT_EQ(stored(store, table_file), kept);
-  game.press("Billiards");
-  game.load("Continue it");
-  EXPECT_TRUE(game.says("Player 2 aims"));
-  EXPECT_EQ(stored(store, table_file), kept);
+  const carom::Vec2 cue = cue_of(store);
+  Start one(store);
+  Start two(store);
+  one.load("Continue: billiards");
+  two.load("Continue: billiards");
+  one.shoot(cue, {44, -60});
+  one.watch();
+  const auto by_one = last(store);
+  two.shoot(cue, {90, 31});
+  two.watch();
+  ASSERT_EQ(kept(store).size(), 2U);
+  EXPECT_NE(last(store), by_one);
+  EXPECT_EQ(stored(store, kept(store)[1]), by_one);
+  // And the other way round: who began the game plays on while another window continues it.
+  Start three(store);
+  three.load("Continue: billiards");
+  const auto by_two = last(store);
+  for (Start* game : {&three, &two}) {
+    if (game->says("places")) continue;
+    const auto& table = dynamic_cast<const app::BilliardsScreen&>(game->app().screen());
+    game->shoot(table.game().world().ball(0).position, {13, -70});
+    game->watch();
+  }
+  EXPECT_EQ(kept(store).size(), 3U);
+}
 
-  Start again(store);
-  again.press("Billiards");
-  again.press("New game");
-  EXPECT_TRUE(again.says("Player 1 aims"));
-  EXPECT_FALSE(stored(store, table_file));
+TEST(Continue, WhatOnlyCannotBeReadStaysWhereItIs) {
+  struct ShutStore : app::MemoryStore {
+    carom::Result<std::optional<std::string>> load(const std::string& name) override {
+      if (shut && name == table_file)
+        return carom::Error{.pointer = name, .problem = "cannot be read"};
+      return MemoryStore::load(name);
+    }
+    bool shut = true;
+  } store;
+  ASSERT_TRUE(
+      store.save(table_file, project_file("tests/replays/billiards-left-in-the-middle.json")));
+  {
+    Start game(store);
+    EXPECT_TRUE(game.shows("Its file stays as it is."));
+    game.press("OK");
+    first_shot(game);
+  }
+  store.shut = false;
+  EXPECT_FALSE(stored(store, table_file + ".broken"));
+  EXPECT_EQ(stored(store, table_file),
+            project_file("tests/replays/billiards-left-in-the-middle.json"));
+  EXPECT_EQ(kept(store).size(), 2U);
 }
 
 TEST(Continue, AFinishedLevelIsNoLongerOffered) {
@@ -235,11 +352,11 @@ TEST(Continue, AFinishedLevelIsNoLongerOffered) {
   for (int i = 0; i < 3; ++i) {
     game.throw_by(-60, 10);
     game.wait_for(i == 2 ? "click to end" : "next throw");
-    EXPECT_TRUE(stored(store, level_file));
+    EXPECT_TRUE(last(store));
     game.key(app::Key::n);
   }
   EXPECT_TRUE(game.says("Level lost"));
-  EXPECT_FALSE(stored(store, level_file));
+  EXPECT_FALSE(last(store));
 }
 
 TEST(Continue, PracticeKeepsNothing) {
@@ -248,8 +365,10 @@ TEST(Continue, PracticeKeepsNothing) {
   game.press("Practice");
   ASSERT_TRUE(game.says("practice"));
   game.shoot({200, 200}, {-37, 11});
-  game.wait_for("Player 2 aims");
-  EXPECT_FALSE(stored(store, table_file));
+  game.wait_for("Player 1 aims");
+  game.shoot({200, 200}, {-37, 11});
+  EXPECT_FALSE(game.says("Player 2")) << "who practises alone has every turn";
+  EXPECT_TRUE(kept(store).empty());
   game.press("Close");
   EXPECT_TRUE(game.says("title screen"));
 }
@@ -259,9 +378,13 @@ TEST(Continue, ADiskThatCannotBeWrittenIsTold) {
     carom::Status save(const std::string&, const std::string&) override {
       return carom::Error{.problem = "cannot be written"};
     }
+    carom::Result<bool> save_new(const std::string&, const std::string&) override {
+      return carom::Error{.problem = "cannot be written"};
+    }
   } store;
   Start game(store);
-  first_shot(game);
+  game.press("Billiards");
+  game.shoot({200, 200}, {-37, 11});
   game.pass(500ms);
   EXPECT_TRUE(game.shows("This game cannot be saved"));
 }
@@ -344,7 +467,7 @@ TEST_P(BrokenSave, IsRefusedSetAsideAndNeverOverwritten) {
     EXPECT_TRUE(game.says(french ? "écran titre" : "title screen"));
     if (french) continue;
     first_shot(game);
-    EXPECT_TRUE(stored(store, table_file));
+    EXPECT_EQ(kept(store).size(), 1U);
     EXPECT_EQ(stored(store, table_file + ".broken"), broken);
   }
 }
@@ -359,13 +482,13 @@ TEST(BrokenSaves, WhatCannotBeMovedAwayIsNeverOverwritten) {
   } store;
   ASSERT_TRUE(store.save(table_file, "{"));
   Start game(store);
-  EXPECT_TRUE(game.shows("New games cannot be saved."));
+  EXPECT_TRUE(game.shows("Its file stays as it is."));
   game.press("OK");
   first_shot(game);
   EXPECT_EQ(stored(store, table_file), "{");
   game.press("Close");
-  game.press("Leave");
   EXPECT_EQ(stored(store, table_file), "{");
+  EXPECT_TRUE(game.shows("Continue: billiards, player 2"));
 }
 
 }  // namespace

@@ -112,11 +112,12 @@ class Walk {
     check(kept);
     kept.key(Key::escape);
     check(kept, "games kept");
-    for (const Text game_of : {Text::billiards, Text::angry_balls}) {
-      kept.press(in(game_of));
-      check(kept);
-      kept.key(Key::escape);
-    }
+    kept.press(in(Text::kept_games));
+    check(kept);
+    kept.press(in(Text::delete_game));
+    check(kept);
+    kept.key(Key::escape);
+    kept.key(Key::escape);
     kept.press(in(Text::continue_table));
     check(kept, "loading");
 

@@ -23,9 +23,9 @@ inline carom::Vec2 drag_of(const Shot& shot, const app::Viewport& viewport) {
 }
 
 /// What the shot brings: points, and a cue ball lost counts against it.
-inline int worth(billiards::Game game, carom::Vec2 drag) {
+inline std::int64_t worth(billiards::Game game, carom::Vec2 drag) {
   const int player = game.player();
-  const int before = game.score(player);
+  const std::int64_t before = game.score(player);
   if (!game.apply(billiards::Shoot{drag})) return -1000;
   while (game.phase() == billiards::Phase::roll) game.step();
   return game.score(player) - before - (game.phase() == billiards::Phase::place ? 150 : 0);

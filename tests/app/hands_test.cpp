@@ -293,7 +293,6 @@ TEST_F(Hands, AFingerTurnsAndTheButtonShoots) {
     EXPECT_EQ(table().game().phase(), billiards::Phase::roll);
     game.pass(100ms);
     tap("Close");
-    tap("Leave");
   }
 }
 

@@ -268,29 +268,15 @@ TEST_F(Interruptions, WhilePausedNothingIsAimed) {
   EXPECT_EQ(table().aimed(), nullptr);
 }
 
-TEST_F(Interruptions, ALevelOpenedAsksBeforeItTakesThePlaceOfTheGameKept) {
+TEST_F(Interruptions, ALevelOpenedIsPlayedAndLeavesTheGameKeptAlone) {
   game.press("Angry Balls");
   game.press("First steps");
   shoot_level();
-  const auto kept = store.load("continue-level.json").value();
-  ASSERT_TRUE(kept);
-  const auto open = [&] { game.app().open_file("mine.json", own_level); };
-  open();
-  EXPECT_TRUE(game.says("Give up the game kept?")) << game.title();
-  EXPECT_TRUE(game.shows("Level 1: First steps"));
-  game.press("Cancel");
-  game.press("Angry Balls");
-  game.press("Other level");
-  EXPECT_TRUE(game.says("level menu")) << "the level opened was refused";
-  game.press("First steps");
-  shoot_level();
-  open();
-  game.press("Continue it");
-  game.wait_for("Level 1: First steps");
-  open();
-  game.press("Other level");
-  EXPECT_TRUE(game.says("Level 11: Mine")) << game.title();
-  EXPECT_FALSE(store.load("continue-level.json").value());
+  const auto names = app::KeptGames(store).names();
+  ASSERT_EQ(names.size(), 1U);
+  game.app().open_file("mine.json", own_level);
+  EXPECT_TRUE(game.says("Level 11: “Mine” (your level)")) << game.title();
+  EXPECT_EQ(app::KeptGames(store).names(), names);
 }
 
 bool finite(const app::DrawList& list) {

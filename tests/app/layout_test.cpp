@@ -310,8 +310,8 @@ TEST_P(Layout, WatchAndQuestion) {
   game.click({cue().x + 100, cue().y});
   game.pass(50ms);
   check();
-  key(app::Key::escape);
-  check(in(Text::ask_leave));
+  key(app::Key::r);
+  check(in(Text::ask_restart));
 }
 
 TEST_P(Layout, Settings) {
@@ -431,9 +431,6 @@ TEST_P(Layout, LevelFromTheFirstClickToTheEnd) {
   check();
   game.pass(3s);
   check();
-  key(app::Key::escape);
-  check(in(Text::ask_leave_level));
-  key(app::Key::escape);
   for (int i = 0; i < 2; ++i) {
     key(app::Key::n);
     check();
@@ -575,14 +572,14 @@ TEST_P(Layout, GamesKeptAreOffered) {
   ASSERT_TRUE(store.save("continue-level.json", replay_file("level-random-lost.json")));
   Player again(std::get<1>(GetParam()), size.width, size.height, {}, store);
   expect_sound(again.boxes(), size);
-  const std::string question = in(Text::ask_new_game);
-  for (const Text choice : {Text::angry_balls, Text::billiards}) {
-    again.press(in(choice));
-    EXPECT_TRUE(again.says(question));
-    expect_sound(visible(again.boxes(), question), size);
-    again.key(app::Key::escape);
-  }
-  again.press(in(Text::continue_named_level, {"Random"}));
+  again.press(in(Text::kept_games));
+  expect_sound(again.boxes(), size);
+  again.press(in(Text::delete_game));
+  const std::string question = in(Text::ask_delete_game);
+  EXPECT_TRUE(again.says(question));
+  expect_sound(visible(again.boxes(), question), size);
+  again.key(app::Key::escape);
+  again.press("Random");
   expect_sound(again.boxes(), size);
   again.pass(100ms);
   // That game is over already.

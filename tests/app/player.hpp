@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <gtest/gtest.h>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,15 +30,16 @@ struct Player : platform::NullPlatform {
   bool says(std::string_view text) { return title().find(text) != std::string::npos; }
   /// Clicks the button whose label has `text` in it; of several, the one on top.
   void press(std::string_view text) {
-    app::Rect area;
-    bool found = false;
-    for (const app::Box& box : boxes()) {
-      if (box.kind != app::Box::Kind::button || box.text.find(text) == std::string::npos) continue;
-      area = box.area;
-      found = true;
-    }
-    ASSERT_TRUE(found) << "no button " << text << " in " << title();
-    click(area.center());
+    const auto area = find(text);
+    ASSERT_TRUE(area) << "no button " << text << " in " << title();
+    click(area->center());
+  }
+  std::optional<app::Rect> find(std::string_view text) {
+    std::optional<app::Rect> area;
+    for (const app::Box& box : boxes())
+      if (box.kind == app::Box::Kind::button && box.text.find(text) != std::string::npos)
+        area = box.area;
+    return area;
   }
   /// By a finger, if it `touches`.
   void click(app::Point at, app::PointerButton button = app::PointerButton::left) {

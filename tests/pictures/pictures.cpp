@@ -194,8 +194,11 @@ class Visitor {
     (void)kept.save("continue-level.json", read("tests/replays/level-random-lost.json"));
     Game later(*this, kept);
     take(later, "title-later");
-    later.press(say(app::Text::billiards));
-    take(later, "title-give-up");
+    later.press(say(app::Text::kept_games));
+    take(later, "games-kept");
+    later.press(say(app::Text::delete_game));
+    take(later, "games-kept-delete");
+    later.key(Key::escape);
     later.key(Key::escape);
     later.press(say(app::Text::continue_table));
     take(later, "loading");

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <sys/wait.h>
@@ -9,6 +10,7 @@
 
 #include "app/storage/best_scores.hpp"
 #include "app/storage/kept_games.hpp"
+#include "app/storage/settings.hpp"
 #include "replay/recorder.hpp"
 
 namespace {
@@ -110,17 +112,106 @@ TEST_F(DataFolder, AHugeFileIsNotRead) {
 TEST_F(DataFolder, KeepsAGameAndSetsABrokenOneAside) {
   write("continue-billiards.json", "{");
   app::KeptGames kept(store);
+  EXPECT_FALSE(kept.latest());
   EXPECT_TRUE(kept.take_refused());
   EXPECT_EQ(read("continue-billiards.json.broken"), "{");
   replay::Recorder<games::billiards::Game> game{games::billiards::Game()};
   ASSERT_TRUE(game.apply(games::billiards::Shoot{{20, 1}}));
   while (replay::moves(game.game())) game.step();
-  ASSERT_TRUE(kept.keep(game.replay()));
+  app::KeptGames::Place place;
+  ASSERT_TRUE(kept.keep(place, game.replay()));
   app::KeptGames next(store);
+  auto latest = next.latest();
   EXPECT_FALSE(next.take_refused());
-  EXPECT_EQ(next.of(replay::Kind::billiards), game.replay());
-  next.forget(replay::Kind::billiards);
-  EXPECT_FALSE(app::KeptGames(store).of(replay::Kind::billiards));
+  ASSERT_TRUE(latest);
+  EXPECT_EQ(latest->game, game.replay());
+  next.forget(latest->place);
+  EXPECT_FALSE(app::KeptGames(store).latest());
+}
+
+TEST_F(DataFolder, WhatCannotBeReadIsNotRenamed) {
+  fs::create_directories(folder / "continue-level-0007.json");  // root reads even mode 000
+  app::KeptGames kept(store);
+  write("continue-billiards.json", std::string(platform::FolderStore::max_text + 1, ' '));
+  EXPECT_FALSE(kept.latest());
+  EXPECT_TRUE(fs::exists(folder / "continue-billiards.json"));
+  const auto refused = kept.take_refused();
+  ASSERT_TRUE(refused);
+  EXPECT_FALSE(refused->set_aside);
+  EXPECT_EQ(refused->fault, app::ReplayFault::unreadable);
+  EXPECT_FALSE(kept.latest());
+  EXPECT_FALSE(kept.take_refused()) << "it is told once";
+}
+
+/// Runs `work` in processes of its own, each with a store of the same folder, at the same time.
+void in_windows(const fs::path& folder, int count,
+                const std::function<void(app::Store&, int)>& work) {
+  std::vector<pid_t> windows;
+  for (int i = 0; i < count; ++i) {
+    const pid_t window = fork();
+    if (window == 0) {
+      platform::FolderStore store(folder);
+      work(store, i);
+      _exit(0);
+    }
+    windows.push_back(window);
+  }
+  for (const pid_t window : windows) {
+    int status = 0;
+    EXPECT_EQ(waitpid(window, &status, 0), window);
+    EXPECT_EQ(status, 0);
+  }
+}
+
+std::string identity(int number) {
+  std::string digits = std::to_string(number);
+  return std::string(16 - digits.size(), '0') + digits;
+}
+
+TEST_F(DataFolder, RecordsMadeByThreeWindowsAtOnceAreAllKept) {
+  constexpr int records = 40;
+  in_windows(folder, 3, [](app::Store& shared, int window) {
+    app::BestScores scores(shared);
+    for (int i = 0; i < records; ++i) scores.record(identity(window * records + i), 100 + i);
+  });
+  const app::BestScores scores(store);
+  for (int i = 0; i < 3 * records; ++i) EXPECT_TRUE(scores.of(identity(i))) << i;
+}
+
+TEST_F(DataFolder, GamesKeptByThreeWindowsAtOnceAreAllKept) {
+  in_windows(folder, 3, [](app::Store& shared, int window) {
+    app::KeptGames kept(shared);
+    for (int i = 0; i < 10; ++i) {
+      replay::Recorder<games::billiards::Game> game{games::billiards::Game()};
+      static_cast<void>(game.apply(games::billiards::Shoot{{20.0 + window, 1.0 + i}}));
+      app::KeptGames::Place place;
+      if (!kept.keep(place, game.replay())) _exit(1);
+    }
+  });
+  EXPECT_EQ(app::KeptGames(store).names().size(), 30U);
+}
+
+TEST_F(DataFolder, SettingsChangedByThreeWindowsAtOnceAreAllKept) {
+  in_windows(folder, 3, [](app::Store& shared, int window) {
+    app::KeptSettings kept(shared);
+    for (int i = 0; i <= 20; ++i) {
+      app::Settings settings = kept.get();
+      if (window == 0) settings.volume = i;
+      if (window == 1) settings.names[0] = "Zoé " + std::to_string(i);
+      if (window == 2) settings.names[1] = "Max " + std::to_string(i);
+      kept.set(settings);
+    }
+  });
+  const app::KeptSettings settings(store);
+  EXPECT_EQ(settings.get().volume, 20);
+  EXPECT_EQ(settings.get().names[0], "Zoé 20");
+  EXPECT_EQ(settings.get().names[1], "Max 20");
+}
+
+TEST_F(DataFolder, AWindowThatDoesNotLetGoIsNotWaitedForForever) {
+  const auto held = store.lock();
+  ASSERT_TRUE(held);
+  EXPECT_FALSE(store.lock());
 }
 
 TEST_F(DataFolder, SettingsLieElsewhere) {

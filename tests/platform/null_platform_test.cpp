@@ -64,7 +64,7 @@ TEST(NullPlatform, PrintsWhatIsOnScreenAndKeepsGamesInAStore) {
   std::vector<std::string> printed;
   ASSERT_TRUE(game.run(script.value(), [&](const std::string& line) { printed.push_back(line); }));
   EXPECT_EQ(printed, std::vector{game.app().describe()});
-  EXPECT_TRUE(store.load("continue-billiards.json").value());
+  EXPECT_TRUE(store.load("continue-billiards-0001.json").value());
 }
 
 TEST(NullPlatform, EscapeGoesBackAndThenQuits) {

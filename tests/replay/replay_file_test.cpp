@@ -175,10 +175,11 @@ INSTANTIATE_TEST_SUITE_P(
               "each player\n"},
         Wrong{R"({"score": [-1]})",
               "1:12: /score/0: is -1; expected the points made, a whole number from 0 to "
-              "2147483647\n"},
-        Wrong{R"({"score": [0, 2147483648]})",
-              "1:15: /score/1: is 2147483648; expected the points made, a whole number from 0 to "
-              "2147483647\n"},
+              "9007199254740991\n"},
+        Wrong{R"({"score": [0, 9007199254740992]})",
+              "1:15: /score/1: is 9007199254740992; expected the points made, a whole number from "
+              "0 to "
+              "9007199254740991\n"},
         Wrong{R"({"score": [1, 2, 3]})",
               "1:18: /score/2: is a third score; expected one score, in billiards two\n"},
         Wrong{billiards_with(R"("score": [1], "moves": [])"),

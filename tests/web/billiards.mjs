@@ -46,7 +46,7 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
   const after = await game.waitFor("Player 1 aims", "Player 1 places");
   check(!after.includes("balls left: 36"), `no ball fell: ${after}`);
   check(!after.includes("Player 2: 0"), `balls fell, yet no score: ${after}`);
-  const kept = await game.stored("continue-billiards.json");
+  const kept = await game.stored("continue-billiards-0001.json");
   const score = /Player 1: (-?\d+) · Player 2: (-?\d+)/.exec(after);
   const proof = prove(kept);
   check(proof.includes(`score ${score[1]} : ${score[2]}`), `${proof} is not ${after}`);
@@ -56,5 +56,5 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
   await game.click(144, 340); // Continue
   const again = await game.waitFor("Player 1 aims", "Player 1 places");
   check(again === after, `another game than ${after}: ${again}`);
-  check(await game.stored("continue-billiards.json") === kept, "what is kept has changed");
+  check(await game.stored("continue-billiards-0001.json") === kept, "what is kept has changed");
 });

@@ -11,7 +11,7 @@ const replay = join(root, "tests/replays/level-06-won.json");
 await withPage({ width: 1280, height: 720 }, async (game) => {
   await game.open();
   await game.drop("dropped.json", level);
-  await game.waitFor("Level 11: Dropped");
+  await game.waitFor("Level 11: “Dropped” (your level)");
   await game.drop("game.json", readFileSync(replay, "utf8"));
   await game.waitFor("replay · Skittles");
   await game.waitFor("Verified");

@@ -26,7 +26,7 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   await game.click(418, 379);
   await game.waitFor("Player 2 aims");
   await game.until(async () => await sound() === "running");
-  const kept = await game.stored("continue-billiards.json");
+  const kept = await game.stored("continue-billiards-0001.json");
   check(kept, "the turn is not kept");
 
   await game.launch(0.3, 2000);
@@ -44,7 +44,7 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
 
   // Thrown away while hidden, as phones do, in the middle of a turn: the turn before is there.
   const now = await game.live();
-  const stored = await game.stored("continue-billiards.json");
+  const stored = await game.stored("continue-billiards-0001.json");
   check(stored !== kept, "the second turn is not kept");
   await hide(true);
   const next = await context.newPage();

@@ -74,7 +74,7 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     const after = await game.waitFor("Zoé aims", "Zoé places");
     check(after.includes("balls left: 36") === after.includes("Player 1: 0"),
       `score and balls do not agree: ${after}`);
-    check(await game.stored("continue-billiards.json"), "the game is not kept");
+    check(await game.stored("continue-billiards-0001.json"), "the game is not kept");
     await client.send("Input.synthesizePinchGesture", { x: 320, y: 190, scaleFactor: 2 });
     const seen = await game.page.evaluate(
       () => ({ scale: visualViewport.scale, top: visualViewport.pageTop, y: scrollY }));

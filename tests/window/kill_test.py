@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Kills the game with SIGKILL at random moments, many times over, while it plays and saves after
-every turn. Each time the save must be whole, prove itself, and hold every turn that was over when
+every launch and turn. Each time the save must be whole, prove itself, and hold every turn that was over when
 the game said so; now and then it is continued."""
 
 import argparse
@@ -21,7 +21,7 @@ LEVEL = {"carom": 1, "name": "Many throws", "width": 1000, "height": 500, "gravi
                    {"x": 700, "y": 20, "radius": 20, "role": "enemy"}]}
 SIZE = "1000x720"  # shows the level pixel by pixel
 LAUNCH = [110, 496]
-SAVES = {"level": "continue-level.json", "billiards": "continue-billiards.json"}
+SAVES = {"level": "continue-level-0001.json", "billiards": "continue-billiards-0001.json"}
 
 
 def lines(*actions):

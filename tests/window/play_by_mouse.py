@@ -103,10 +103,8 @@ def billiards(window, pictures):
           "the resized window shows next to nothing")
     window.xdotool("windowsize", window.id, WIDTH, HEIGHT)
     time.sleep(0.5)
-    # Back to the title: the game asks, and Enter says yes.
+    # Back to the title: the game is kept, with no question. Here it is to be out of the way.
     window.key("Escape")
-    window.wait_for("Leave the table?")
-    window.key("Return")
     window.wait_for("title screen")
 
 
@@ -191,7 +189,8 @@ def continue_and_replay(window, data):
     window.wait_for("title screen")
     window.key("Escape")
     window.wait_for_end()
-    (data / "angry-balls" / "continue-billiards.json").unlink()
+    for kept in (data / "angry-balls").glob("continue-*.json"):
+        kept.unlink()
 
 
 def angry_balls(window, pictures, data):

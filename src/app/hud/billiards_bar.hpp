@@ -11,10 +11,10 @@ namespace app {
 class BilliardsBar : public UserBar {
  public:
   struct Content {
-    std::array<int, 2> scores{};
+    std::array<std::int64_t, 2> scores{};
     std::optional<int> on;  ///< whose turn it is; none when the game is over
     int balls_left = 0;
-    int turn_points = 0;
+    std::int64_t turn_points = 0;
   };
 
   explicit BilliardsBar(const Words& words);

@@ -7,6 +7,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
 #include "app/view/balls.hpp"
+#include "app/view/clear_place.hpp"
 #include "app/widgets/tip.hpp"
 
 namespace app {
@@ -76,6 +77,15 @@ void draw_lesson(Canvas& canvas, const AimPrompt& call, const Words& words) {
       panel = {edge, std::max(world.center().y - height / 2, world.y + canvas.px(4)),
                std::min(width, room), height};
     }
+  }
+  // Nor over the rack and the pockets, as far as there is room.
+  std::vector<Rect> things = call.in_sight;
+  things.push_back(centered(call.at, 2 * reach, 2 * reach));
+  for (const float tried : {width, std::min(width, canvas.px(least_width))}) {
+    Rect box = panel;
+    box.w = std::min(box.w, tried);
+    box = clear_place(box, world.inset(canvas.px(4)), things);
+    if (covered(box, things) < covered(panel, things)) panel = box;
   }
   fill_rounded(canvas.list, panel.moved({0, canvas.px(4)}), canvas.px(12), palette::shadow,
                canvas.px(12));

@@ -13,8 +13,8 @@ class LevelBar : public UserBar {
   struct Content {
     int number = 1;
     std::string name;
-    int score = 0;
-    int turn_points = 0;
+    std::int64_t score = 0;
+    std::int64_t turn_points = 0;
     int throws_left = 0;
     int enemies_left = 0;
   };

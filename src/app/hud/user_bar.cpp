@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 // In the order of UserBar::Command.
-enum Button : ButtonId { restart, close, settings };
+enum Button : ButtonId { settings, restart, close };
 
 constexpr float gear_width = 44;        ///< units
 constexpr float touch_gear_width = 52;  ///< units
@@ -31,10 +31,10 @@ void draw_gear(DrawList& list, Point center, float radius, Color color, Color gr
 
 }  // namespace
 
-UserBar::UserBar() : buttons_({{restart}, {close}, {settings}}) {}
+UserBar::UserBar() : buttons_({{settings}, {restart}, {close}}) {}
 
-void UserBar::relabel(std::string restart_label, std::string close_label,
-                      std::string settings_label) {
+void UserBar::relabel(std::string settings_label, std::string restart_label,
+                      std::string close_label) {
   buttons_.relabel(restart, std::move(restart_label));
   buttons_.relabel(close, std::move(close_label));
   buttons_.relabel(settings, std::move(settings_label));

@@ -13,7 +13,7 @@ namespace app {
 /// the settings. What else stands in it is each game's own.
 class UserBar {
  public:
-  enum class Command : std::uint8_t { restart, close, settings };
+  enum class Command : std::uint8_t { settings, restart, close };
 
   std::optional<Command> event(const Input& input, Sounds& sounds);
   /// A click here is a button's business; elsewhere in the bar it may end a drag.
@@ -29,7 +29,7 @@ class UserBar {
   };
 
   UserBar();
-  void relabel(std::string restart, std::string close, std::string settings);
+  void relabel(std::string settings, std::string restart, std::string close);
   /// In the order of Command.
   void explain(std::array<std::string, 3> tips);
   Room place(const View& view, const Rect& area);

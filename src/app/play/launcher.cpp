@@ -334,9 +334,22 @@ std::optional<Point> Launcher::pulled_to() const {
   return grip_ == Grip::pulling ? std::optional(pointer_) : std::nullopt;
 }
 
-carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 middle) {
+carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 target) {
   constexpr double length = 100;  // px
-  return length * carom::unit(middle - from);
+  return length * carom::unit(target - from);
+}
+
+carom::Vec2 nearest(const carom::World& world, carom::Role role, carom::Vec2 from,
+                    carom::Vec2 other) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const carom::Ball ball = world.ball(i);
+    const double distance = carom::length_squared(ball.position - from);
+    if (ball.role != role || !world.in_play(i) || distance >= least) continue;
+    least = distance;
+    other = ball.position;
+  }
+  return other;
 }
 
 Text aim_hint(const Launcher& launcher, AimWay way, bool touch, const AimHints& hints) {

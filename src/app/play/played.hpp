@@ -21,7 +21,10 @@ class Played {
   using Recorder = replay::Recorder<Game>;
 
   /// The session must outlive this.
-  Played(Session& session, Recorder recorder) : session_(session), recorder_(std::move(recorder)) {}
+  Played(Session& session, Recorder recorder)
+      : session_(session),
+        recorder_(std::move(recorder)),
+        place_(std::exchange(session.continued, {})) {}
 
   const Game& game() const { return recorder_.game(); }
   const Recorder& recorder() const { return recorder_; }
@@ -80,31 +83,26 @@ class Played {
   bool keep() {
     if (practice_) return true;
     if (replay::over(game())) {
-      forget();
+      session_.kept.forget(place_);
       return true;
     }
-    return session_.kept.keep(recorder_.replay()) || std::exchange(told_not_kept_, true);
-  }
-  /// There is no game to continue any more.
-  void forget() {
-    if (!practice_) session_.kept.forget(kind);
+    return session_.kept.keep(place_, recorder_.replay()) || std::exchange(told_not_kept_, true);
   }
 
  private:
   void restarted() {
+    // The game given up is kept until the new one has a launch to keep in its place.
     if (practice_) practice_->restart();
-    forget();
   }
 
   static constexpr bool billiards = std::is_same_v<Game, games::billiards::Game>;
-  static constexpr replay::Kind kind =
-      billiards ? replay::Kind::billiards : replay::Kind::angry_balls;
   using Launch = std::conditional_t<billiards, games::billiards::Shoot, games::angry_balls::Throw>;
   using Restart =
       std::conditional_t<billiards, games::billiards::Restart, games::angry_balls::Restart>;
 
   Session& session_;
   Recorder recorder_;
+  KeptGames::Place place_;
   std::optional<Practice<Recorder>> practice_;
   std::optional<carom::Vec2> last_drag_;
   bool told_not_kept_ = false;

@@ -20,7 +20,8 @@ void speak(const Session& session, Words& words) {
     session.host.fetch_texts(language);
 }
 
-games::billiards::Options options_of(const Session& session) {
+games::billiards::Options options_of(const Session& session, bool alone) {
+  if (alone) return {.alone = true};
   const Settings& settings = session.settings.get();
   return {.first_player = first_player(settings.breaks, session.last_game),
           .keep_turn = settings.keep_turn};

@@ -63,10 +63,10 @@ struct Session {
   HostEnvironment host;
   std::optional<Notice> notice;
   Keyboard keyboard;
-  bool teach = false;                      ///< how to shoot is not known yet
-  std::optional<replay::Replay> to_watch;  ///< what Transition::replay shows
-  replay::Kind to_continue{};              ///< what Transition::load goes on with
-  bool level_opened = false;  ///< the current one is played if the game kept is given up
+  bool teach = false;                          ///< how to shoot is not known yet
+  std::optional<replay::Replay> to_watch;      ///< what Transition::replay shows
+  std::optional<KeptGames::Kept> to_continue;  ///< what Transition::load goes on with
+  KeptGames::Place continued;                  ///< where the game loaded is kept
   /// What Transition::resume goes on with.
   std::optional<std::variant<BilliardsRecorder, LevelRecorder>> loaded;
 };
@@ -75,8 +75,8 @@ struct Session {
 Language language_of(const Session& session);
 /// Makes `words` speak it, once its texts are there.
 void speak(const Session& session, Words& words);
-/// What a new game of billiards is played by.
-games::billiards::Options options_of(const Session& session);
+/// What a new game of billiards is played by; `alone`: for practice.
+games::billiards::Options options_of(const Session& session, bool alone);
 
 enum class Pasted : std::uint8_t {
   replay,  ///< it is the replay to watch

@@ -44,9 +44,8 @@ void AngryBallsScreen::announce_start() {
 
 /// "Level 1: First steps".
 std::string AngryBallsScreen::title() const {
-  return words_(Text::level_and_name,
-                {words_.number(static_cast<int>(campaign_.current) + 1),
-                 words_.level_name(campaign_.levels[campaign_.current].name)});
+  return words_(Text::level_and_name, {words_.number(static_cast<int>(campaign_.current) + 1),
+                                       shown_name(words_, campaign_.levels[campaign_.current])});
 }
 
 AngryBallsScreen::Doing AngryBallsScreen::doing() const {
@@ -77,8 +76,10 @@ bool AngryBallsScreen::continues() const {
 
 carom::Vec2 AngryBallsScreen::first_drag() const {
   const carom::Scene& level = game().level();
-  return played_.last_drag().value_or(
-      first_aim(game().launch_place(), {level.width / 2, level.height / 2}));
+  const carom::Vec2 from = game().launch_place();
+  const carom::Vec2 enemy =
+      nearest(game().world(), carom::Role::enemy, from, {level.width / 2, level.height / 2});
+  return played_.last_drag().value_or(first_aim(from, {enemy.x, level.height / 2}));
 }
 
 void AngryBallsScreen::after_step() {
@@ -87,15 +88,6 @@ void AngryBallsScreen::after_step() {
   const carom::Vec2 at = world.ball(0).position;
   const carom::Vec2 last = trace_.empty() ? game().launch_place() : trace_.back();
   if (carom::length(at - last) >= trace_spacing * game().level().width) trace_.push_back(at);
-}
-
-std::optional<Dialog> AngryBallsScreen::question_before(UserBar::Command command) const {
-  if (command != UserBar::Command::close || game().world().steps() == 0 ||
-      std::holds_alternative<Over>(state_) || played_.practice())
-    return std::nullopt;
-  return Dialog(words_(Text::ask_leave_level), {{words_(Text::level_is_lost), {}, {}}},
-                {{yes, words_(Text::leave), words_(Text::tip_give_up)},
-                 {no, words_(Text::keep_playing), words_(Text::tip_close_help)}});
 }
 
 Transition AngryBallsScreen::next_game() {
@@ -180,7 +172,7 @@ bool AngryBallsScreen::bar_is_last() const {
 void AngryBallsScreen::draw_bar(Canvas& canvas) const {
   LevelBar::Content content;
   content.number = static_cast<int>(campaign_.current) + 1;
-  content.name = words_.level_name(campaign_.levels[campaign_.current].name);
+  content.name = shown_name(words_, campaign_.levels[campaign_.current]);
   content.score = game().score();
   content.turn_points = turn_points_;
   content.throws_left = game().throws_left();

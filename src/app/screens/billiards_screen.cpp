@@ -11,7 +11,9 @@ namespace billiards = games::billiards;
 using billiards::Phase;
 
 BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Mode mode)
-    : BilliardsScreen(words, session, BilliardsRecorder(billiards::Game(options_of(session)))) {
+    : BilliardsScreen(
+          words, session,
+          BilliardsRecorder(billiards::Game(options_of(session, mode == Mode::practice)))) {
   if (mode == Mode::practice) played_.begin_practice();
 }
 
@@ -37,12 +39,13 @@ BilliardsScreen::Doing BilliardsScreen::doing() const {
 }
 
 carom::Vec2 BilliardsScreen::first_drag() const {
-  const carom::Scene& table = game().world().scene();
-  return first_aim(game().world().ball(0).position, {table.width / 2, table.height / 2});
+  const carom::Vec2 cue = game().world().ball(0).position;
+  return first_aim(cue, nearest(game().world(), carom::Role::red, cue, billiards::apex_start));
 }
 
 bool BilliardsScreen::start_again() {
-  played_.restart(BilliardsRecorder(billiards::Game(options_of(session_))));
+  played_.restart(
+      BilliardsRecorder(billiards::Game(options_of(session_, played_.practice().has_value()))));
   return true;
 }
 
@@ -71,19 +74,18 @@ void BilliardsScreen::note(const Event& event) {
 }
 
 void BilliardsScreen::announce_turn(const std::string& detail) {
-  if (session_.teaches()) return;  // the lesson would cover it
+  // The lesson would cover it; who plays alone needs none.
+  if (session_.teaches() || game().options().alone) return;
   effects_.announce(words_(Text::turn_of, {words_.player(game().player())}), detail,
                     game().player());
 }
 
 std::optional<Dialog> BilliardsScreen::question_before(UserBar::Command command) const {
-  // Nothing to lose.
-  if (command == UserBar::Command::settings || game().world().steps() == 0 || played_.practice())
+  // Leaving keeps the game.
+  if (command != UserBar::Command::restart || game().world().steps() == 0 || played_.practice())
     return std::nullopt;
-  const bool restart = command == UserBar::Command::restart;
-  return Dialog(words_(restart ? Text::ask_restart : Text::ask_leave),
-                {{words_(Text::game_is_lost), {}, {}}},
-                {{yes, words_(restart ? Text::new_game : Text::leave), words_(Text::tip_give_up)},
+  return Dialog(words_(Text::ask_restart), {{words_(Text::game_is_lost), {}, {}}},
+                {{yes, words_(Text::new_game), words_(Text::tip_give_up)},
                  {no, words_(Text::keep_playing), words_(Text::tip_close_help)}});
 }
 
@@ -127,8 +129,10 @@ BilliardsScreen::Answer BilliardsScreen::waiting_event(PlaceBall& place, const I
   blur();
   // A place that is not free stays shown as such.
   if (outcome == PlaceBall::Outcome::put &&
-      played_.apply(billiards::Place{on_grid(viewport().to_world(pointer_))}))
+      played_.apply(billiards::Place{on_grid(viewport().to_world(pointer_))})) {
     follow_phase();
+    keep();
+  }
   return Transition::stay;
 }
 

@@ -68,8 +68,11 @@ void LevelMenu::resize(const View& view) {
     if (needed > most_rows) break;
     const Rect size = card(columns, needed);
     const float picture = std::min(size.w, (size.h - view.px(words_height)) / picture_ratio);
-    if (picture <= best) continue;
-    best = picture;
+    // Full rows are worth somewhat smaller pictures.
+    const float worth = picture * static_cast<float>(campaign_.levels.size()) /
+                        static_cast<float>(columns * needed);
+    if (worth <= best) continue;
+    best = worth;
     columns_ = columns;
     rows_ = needed;
   }
@@ -221,7 +224,8 @@ void LevelMenu::draw_card(Canvas& canvas, ButtonId button) const {
         words.cut_left(std::max(label_width(canvas, number_style, number) + 1, canvas.px(26))),
         number_style, number);
   words.cut_left(canvas.px(8));
-  const std::string name = words_.level_name(level.name);
+  const std::string name = level.origin == Origin::shipped ? words_.level_name(level.name)
+                                                           : words_.foreign_name(level.name);
   const TextStyle name_style{Face::bold, 16, playable ? palette::cream : dim};
   const auto best = campaign_.best.of(level.identity);
   const Rect line = playable ? words.cut_top(words.h / 2) : words;

@@ -1,5 +1,7 @@
 #include "app/screens/load_screen.hpp"
 
+#include <utility>
+
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
@@ -23,9 +25,9 @@ std::uint64_t steps_at_once(const replay::Player& player) {
 LoadScreen::LoadScreen(const Words& words, Session& session)
     : words_(words),
       session_(session),
-      kind_(session.to_continue),
+      kept_(*std::exchange(session.to_continue, {})),
       buttons_({{0, words(Text::cancel)}}, 0) {
-  auto player = replay::Player::create(*session.kept.of(kind_));
+  auto player = replay::Player::create(kept_.game);
   if (player) player_ = std::move(player).value();
 }
 
@@ -50,13 +52,14 @@ Transition LoadScreen::iterate(nanoseconds) {
 }
 
 Transition LoadScreen::refuse(ReplayFault fault) {
-  session_.kept.refuse(kind_, fault);
+  session_.kept.refuse(kept_.place.name, fault);
   return Transition::title;
 }
 
 Transition LoadScreen::finish() {
   player_->seek(player_->turns().size());
   if (replay::over(player_->game())) return refuse(ReplayFault::finished);
+  session_.continued = std::move(kept_.place);
   if (const auto* table = std::get_if<games::billiards::Game>(&player_->game())) {
     session_.loaded = BilliardsRecorder(*table, player_->replay());
     return Transition::resume;

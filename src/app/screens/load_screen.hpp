@@ -30,7 +30,7 @@ class LoadScreen final : public Screen {
 
   Words words_;
   Session& session_;
-  replay::Kind kind_;
+  KeptGames::Kept kept_;
   std::optional<replay::Player> player_;  ///< none: the game kept cannot even begin
   Buttons buttons_;
   Rect panel_;

@@ -24,7 +24,7 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
   if (launcher) draw_launcher(canvas, *launcher);
   const auto* waiting = std::get_if<Waiting>(&state_);
   if (waiting) draw_waiting(canvas, *waiting, false);
-  effects_.draw_over_balls(canvas, viewport(), effects_area(canvas));
+  effects_.draw_over_balls(canvas, viewport(), effects_area(canvas), shown_world());
   if (waiting) draw_waiting(canvas, *waiting, true);
   game_speed_.draw_veil(canvas, layout_.world, words_);
   if (bar_last) draw_bar(canvas);

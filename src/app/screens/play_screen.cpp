@@ -6,6 +6,7 @@
 #include "app/hud/aim_view.hpp"
 #include "app/screens/next_offer.hpp"
 #include "app/screens/place_ball.hpp"
+#include "app/view/clear_place.hpp"
 #include "app/view/game_effects.hpp"
 
 namespace app {
@@ -94,7 +95,10 @@ auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Answer {
   if (outcome != Launcher::Outcome::untouched) {
     blur();
     // What is aimed is finite and not zero: the game takes it.
-    if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) follow_phase();
+    if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) {
+      follow_phase();
+      keep();  // leaving while the balls roll takes nothing back
+    }
     return Transition::stay;
   }
   // First what is held is let go.
@@ -140,7 +144,13 @@ auto PlayScreen<Game, Waiting>::press_bar(const Input& input) -> Answer {
 template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::command(const Input& input) -> Answer {
   if (is_key(input, Key::settings)) return request(UserBar::Command::settings);
-  if (is_key(input, Key::escape)) return request(UserBar::Command::close);
+  if (is_key(input, Key::escape)) {
+    Buttons* const own = waiting_buttons();
+    if (!focus_elsewhere() && !(own && own->has_focus())) return request(UserBar::Command::close);
+    blur();
+    if (own) own->blur();
+    return Transition::stay;
+  }
   if (is_command(input, Command::again)) return request(UserBar::Command::restart);
   return std::nullopt;
 }
@@ -160,7 +170,8 @@ Transition PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
     case UserBar::Command::settings:
       return Transition::settings;
     case UserBar::Command::close:
-      played_.forget();
+      // A level has moved on while it was offered to throw again.
+      if (std::holds_alternative<Waiting>(state_)) keep();
       return leave_to();
     case UserBar::Command::restart:
       break;
@@ -227,6 +238,7 @@ void PlayScreen<Game, Waiting>::follow_phase() {
       turn_points_ = 0;
       begin_launch();
       state_ = Watching{};
+      effects_.end_announcement();
       if (!session_.calm()) foresight_.begin(game());
       break;
     case Doing::wait:
@@ -332,8 +344,10 @@ std::optional<AimPrompt> PlayScreen<Game, Waiting>::aim_prompt() const {
   if (std::holds_alternative<Waiting>(state_)) return waiting_prompt();
   if (!std::holds_alternative<Launcher>(state_)) return std::nullopt;
   const carom::Ball lead = game().world().ball(0);
-  return AimPrompt{viewport().to_window(lead.position), viewport().px(lead.radius),
-                   nudge(session_.settings.get().aiming.way)};
+  return AimPrompt{
+      viewport().to_window(lead.position), viewport().px(lead.radius),
+      nudge(session_.settings.get().aiming.way),
+      session_.teaches() ? things_in(game().world(), viewport()) : std::vector<Rect>()};
 }
 
 template <class Game, class Waiting>

@@ -134,7 +134,8 @@ class PlayScreen : public Screen {
   Played<Game> played_;
   std::variant<Launcher, Watching, Waiting, Over> state_ = Launcher{};
   Effects effects_;
-  int turn_points_ = 0;  ///< of the turn that is shown; the game forgets them with the turn
+  std::int64_t turn_points_ =
+      0;  ///< of the turn that is shown; the game forgets them with the turn
   WorldView world_view_;
   View view_;
   GameLayout layout_;

@@ -6,6 +6,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
 #include "app/view/landscape.hpp"
+#include "carom/printable.hpp"
 
 namespace app {
 namespace {
@@ -107,21 +108,22 @@ std::string ReplayList::fault(const Entry& entry) const {
   return words_(entry.fault == ReplayFault::other_version ? Text::old_replay : Text::bad_replay);
 }
 
-/// "Billiards · 12 turns · 300 : 200".
 std::string ReplayList::describe(const Entry& entry) const {
-  if (!entry.replay) return fault(entry);
-  const replay::Replay& replay = *entry.replay;
+  return entry.replay ? line_of(words_, session_.campaign, *entry.replay) : fault(entry);
+}
+
+std::string line_of(const Words& words, const Campaign& campaign, const replay::Replay& replay) {
   const auto turns = std::ranges::count_if(replay.moves, [](const replay::Move& move) {
     return std::holds_alternative<games::billiards::Shoot>(move.command) ||
            std::holds_alternative<games::angry_balls::Throw>(move.command);
   });
-  const std::string points = words_.number(replay.score[0]);
-  return words_(
+  const std::string points = words.number(replay.score[0]);
+  return words(
       Text::replay_line,
-      {replay.level ? words_.level_name(replay.level->name) : words_(Text::billiards),
-       words_.count(Text::turns, static_cast<int>(turns)),
-       replay.level ? words_(Text::score) + " " + points
-                    : words_(Text::score_pair, {points, words_.number(replay.score[1])})});
+      {replay.level ? shown_name(words, campaign.known(*replay.level)) : words(Text::billiards),
+       words.count(Text::turns, static_cast<int>(turns)),
+       replay.level ? words(Text::score) + " " + points
+                    : words(Text::score_pair, {points, words.number(replay.score[1])})});
 }
 
 void ReplayList::draw(Canvas& canvas) const {
@@ -163,7 +165,7 @@ void ReplayList::draw_entry(Canvas& canvas, ButtonId index) const {
   const Rect left = narrow ? rest.cut_top(rest.h / 2) : rest.cut_left(std::round(rest.w * 0.32f));
   if (!narrow) rest.cut_left(canvas.px(8));
   const TextStyle what{Face::regular, 17, entry.replay ? palette::cream : dim};
-  label(canvas, left, name, elided(canvas, name, entry.name, left.w));
+  label(canvas, left, name, elided(canvas, name, carom::printable(entry.name), left.w));
   label(canvas, rest, what, elided(canvas, what, describe(entry), rest.w));
   std::string texts;
   for (std::size_t i = own; i < list.boxes.size(); ++i)

@@ -56,4 +56,7 @@ class ReplayList final : public Screen {
   Rect message_box_;  ///< the foot beside what turns the pages
 };
 
+/// A game in a line: "Billiards · 12 turns · 300 : 200".
+std::string line_of(const Words& words, const Campaign& campaign, const replay::Replay& replay);
+
 }  // namespace app

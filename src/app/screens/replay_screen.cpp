@@ -147,7 +147,9 @@ Transition ReplayScreen::event(const Input& input) {
       case Key::copy:
         return press(copy_text);
       case Key::escape:
-        return Transition::back;
+        if (!buttons_.has_focus()) return Transition::back;
+        buttons_.blur();
+        return Transition::stay;
       default:
         break;
     }
@@ -296,7 +298,8 @@ void ReplayScreen::draw_world(Canvas& canvas) const {
   world_view_.draw_moving(canvas, replay::world(player_.game()), interpolator_,
                           playing_ ? clock_.fraction() : 1);
   if (canvas.shake) effects_.shake(list, begin, world_view_.area());
-  effects_.draw_over_balls(canvas, viewport, world_view_.area().inset(canvas.px(4)));
+  effects_.draw_over_balls(canvas, viewport, world_view_.area().inset(canvas.px(4)),
+                           replay::world(player_.game()));
 }
 
 void ReplayScreen::draw_top(Canvas& canvas) const {
@@ -330,7 +333,7 @@ void ReplayScreen::draw_bottom(Canvas& canvas) const {
 std::string ReplayScreen::title() const {
   const auto& level = player_.replay().level;
   if (!level) return words_(Text::billiards);
-  return level->name.empty() ? words_(Text::angry_balls) : words_.level_name(level->name);
+  return shown_name(words_, session_.campaign.known(*level));
 }
 
 std::string ReplayScreen::score() const {

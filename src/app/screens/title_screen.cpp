@@ -4,6 +4,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/screens/load_screen.hpp"
 #include "app/screens/title_art.hpp"
+#include "carom/printable.hpp"
 
 namespace app {
 
@@ -17,9 +18,10 @@ Align align_in(const View& view) { return view.height > view.width ? Align::cent
 
 }  // namespace
 
-TitleScreen::TitleScreen(const Words& words, Session& session) : words_(words), session_(session) {
-  if (session.kept.of(Kind::billiards)) choices_.push_back(Choice::continue_billiards);
-  if (session.kept.of(Kind::angry_balls)) choices_.push_back(Choice::continue_level);
+TitleScreen::TitleScreen(const Words& words, Session& session)
+    : words_(words), session_(session), latest_(session.kept.latest()) {
+  if (latest_) choices_.push_back(Choice::continue_latest);
+  if (latest_ && session.kept.names().size() > 1) choices_.push_back(Choice::kept_games);
   for (const Choice choice :
        {Choice::billiards, Choice::practice_table, Choice::angry_balls, Choice::replays,
         Choice::settings, session.host.can_quit ? Choice::quit : Choice::open_file})
@@ -28,22 +30,20 @@ TitleScreen::TitleScreen(const Words& words, Session& session) : words_(words), 
   for (const Choice choice : choices_) buttons.push_back({id_of(choice)});
   buttons_ = Buttons(std::move(buttons), id_of(choices_.front()));
   // Who plays on after scoring only playing it tells.
-  if (const auto& kept = session.kept.of(Kind::billiards); kept && kept->options.keep_turn)
-    if (auto player = replay::Player::create(*kept)) ahead_ = std::move(player).value();
+  if (latest_ && latest_->game.options.keep_turn)
+    if (auto player = replay::Player::create(latest_->game)) ahead_ = std::move(player).value();
   if (const auto notice = std::exchange(session.notice, {}))
-    tell(notice->title, notice->line);
-  else if ((level_opened_ = std::exchange(session.level_opened, false)))
-    choose(Choice::angry_balls);
+    tell(notice->title, {{notice->line, {}, {}}});
   else
     tell_refused();
 }
 
 std::string TitleScreen::label_of(Choice choice) const {
   switch (choice) {
-    case Choice::continue_billiards:
-      return offer(Kind::billiards);
-    case Choice::continue_level:
-      return offer(Kind::angry_balls);
+    case Choice::continue_latest:
+      return offer();
+    case Choice::kept_games:
+      return words_(Text::kept_games);
     case Choice::billiards:
       return words_(Text::billiards);
     case Choice::practice_table:
@@ -64,9 +64,10 @@ std::string TitleScreen::label_of(Choice choice) const {
 
 Text TitleScreen::tip_of(Choice choice) {
   switch (choice) {
-    case Choice::continue_billiards:
-    case Choice::continue_level:
+    case Choice::continue_latest:
       return Text::tip_continue;
+    case Choice::kept_games:
+      return Text::tip_kept_games;
     case Choice::billiards:
       return Text::tip_billiards;
     case Choice::practice_table:
@@ -85,36 +86,27 @@ Text TitleScreen::tip_of(Choice choice) {
   return Text::tip_quit;
 }
 
-/// What a game kept is called on its button.
-std::string TitleScreen::offer(Kind kind) const {
-  const replay::Replay& game = *session_.kept.of(kind);
-  if (kind == Kind::billiards) {
-    // A game is kept between two turns, each of which has one shot.
+/// What the saved game is called on its button.
+std::string TitleScreen::offer() const {
+  const replay::Replay& game = latest_->game;
+  if (game.kind() == Kind::billiards) {
+    // Each turn has one shot; the last may just have been made.
     const auto shots = std::ranges::count_if(game.moves, [](const replay::Move& move) {
-      return std::holds_alternative<games::billiards::Shoot>(move.command);
+      return std::holds_alternative<games::billiards::Shoot>(move.command) && move.steps > 0;
     });
     if (game.options.keep_turn && !to_play_) return words_(Text::continue_table);
     const auto player = to_play_.value_or((game.options.first_player + shots) % 2);
-    return words_(Text::continue_billiards, {words_.number(static_cast<int>(player) + 1)});
+    return words_(Text::continue_billiards, {words_.number(player + 1)});
   }
-  const Level level = level_of(*game.level);
+  const Level level = session_.campaign.known(*game.level);
   if (const auto index = session_.campaign.find(level.identity))
     return words_(Text::continue_level, {words_.number(static_cast<int>(*index) + 1)});
-  return words_(Text::continue_named_level, {words_.level_name(level.name)});
-}
-
-/// "Level 1: First steps"; only the name of one that is no longer on offer.
-std::string TitleScreen::kept_level() const {
-  const Level level = level_of(*session_.kept.of(Kind::angry_balls)->level);
-  std::string name = words_.level_name(level.name);
-  const auto index = session_.campaign.find(level.identity);
-  if (!index) return name;
-  return words_(Text::level_and_name, {words_.number(static_cast<int>(*index) + 1), name});
+  return words_(Text::continue_named_level, {words_.foreign_name(level.name)});
 }
 
 void TitleScreen::resize(const View& view) {
   view_ = view;
-  if (question_) question_->dialog.resize(view);
+  if (message_) message_->resize(view);
   Rect rest = view.area();
   const bool tall = view.height > view.width;
   rail_ = rest;
@@ -132,8 +124,8 @@ void TitleScreen::resize(const View& view) {
   if (!tall) words = centered(words.center(), words.w, std::min(words.h, view.px(456)));
 
   // Heights give way together in a very low window, and to games that are offered again.
-  const std::size_t offered = choices_.size() - 6;
-  const float pitch = offered == 0 ? 66.0f : offered == 1 ? 57.0f : 50.0f;
+  const std::size_t offered = latest_ ? 1 : 0;
+  const float pitch = offered == 0 ? 66.0f : 57.0f;
   const float height = pitch - (offered == 0 ? 12.0f : 9.0f);
   const float unit = std::min(view.scale, words.h / 448);
   const float high = std::max(unit * height, view.touch ? view.button(0) : 0);
@@ -150,13 +142,15 @@ void TitleScreen::resize(const View& view) {
     words.cut_top(step);
   };
   const float gap = view.px(8);
+  const bool several = std::ranges::find(choices_, Choice::kept_games) != choices_.end();
   for (const Choice choice : choices_) {
     const ButtonId id = id_of(choice);
     buttons_.relabel(id, label_of(choice));
     buttons_.explain(id, words_(tip_of(choice)));
-    const bool alone = choice == Choice::continue_billiards || choice == Choice::continue_level;
-    const bool second = choice == Choice::practice_table || choice == Choice::replays ||
-                        choice == Choice::open_file || choice == Choice::quit;
+    const bool alone = choice == Choice::continue_latest && !several;
+    const bool second = choice == Choice::kept_games || choice == Choice::practice_table ||
+                        choice == Choice::replays || choice == Choice::open_file ||
+                        choice == Choice::quit;
     if (second) {
       row.cut_left(gap);
       buttons_.place(view, id, row);
@@ -179,9 +173,16 @@ Transition TitleScreen::iterate(nanoseconds) {
 }
 
 Transition TitleScreen::event(const Input& input) {
-  if (question_) {
-    const auto chosen = question_->dialog.event(input, session_.sounds);
-    return chosen ? answer(*chosen) : Transition::stay;
+  if (message_) {
+    if (message_->event(input, session_.sounds)) {
+      message_.reset();
+      tell_refused();
+    }
+    return Transition::stay;
+  }
+  if (is_key(input, Key::escape) && buttons_.has_focus()) {
+    buttons_.blur();
+    return Transition::stay;
   }
   if (is_key(input, Key::escape))
     return session_.host.can_quit ? Transition::quit : Transition::stay;
@@ -191,8 +192,10 @@ Transition TitleScreen::event(const Input& input) {
     if (pasted == Pasted::replay) return Transition::replay;
     if (pasted != Pasted::later)
       tell(words_(Text::paste_failed),
-           words_(pasted == Pasted::other_version ? Text::paste_other_version
-                                                  : Text::paste_damaged));
+           {{words_(pasted == Pasted::other_version ? Text::paste_other_version
+                                                    : Text::paste_damaged),
+             {},
+             {}}});
     return Transition::stay;
   }
   const auto chosen = buttons_.event(input, session_.sounds);
@@ -200,54 +203,18 @@ Transition TitleScreen::event(const Input& input) {
 }
 
 Transition TitleScreen::choose(Choice choice) {
-  const bool gives_up = (choice == Choice::billiards && session_.kept.of(Kind::billiards)) ||
-                        (choice == Choice::angry_balls && session_.kept.of(Kind::angry_balls));
-  if (!gives_up) return proceed(choice);
-  const bool table = choice == Choice::billiards;
-  const replay::Replay& kept = *session_.kept.of(table ? Kind::billiards : Kind::angry_balls);
-  const std::string line = table ? words_(Text::kept_billiards, {words_.number(kept.score[0]),
-                                                                 words_.number(kept.score[1])})
-                                 : kept_level();
-  question_ = Question{Dialog(words_(Text::ask_new_game), {{line, {}, {}}},
-                              {{go_on, words_(Text::continue_game), words_(Text::tip_continue)},
-                               {give_up, words_(table ? Text::new_game : Text::other_level),
-                                words_(Text::tip_give_up)},
-                               {cancel, words_(Text::cancel), words_(Text::tip_close_help)}}),
-                       choice};
-  question_->dialog.resize(view_);
-  return Transition::stay;
-}
-
-Transition TitleScreen::answer(ButtonId button) {
-  const auto about = question_->about;
-  question_.reset();
-  if (!about) {
-    tell_refused();
-    return Transition::stay;
-  }
-  const bool table = *about == Choice::billiards;
-  if (button == go_on) return proceed(table ? Choice::continue_billiards : Choice::continue_level);
-  if (button == cancel) {
-    level_opened_ = false;
-    return Transition::stay;
-  }
-  session_.kept.forget(table ? Kind::billiards : Kind::angry_balls);
-  return proceed(*about);
-}
-
-Transition TitleScreen::proceed(Choice choice) {
   switch (choice) {
-    case Choice::continue_billiards:
-    case Choice::continue_level:
-      session_.to_continue =
-          choice == Choice::continue_billiards ? Kind::billiards : Kind::angry_balls;
+    case Choice::continue_latest:
+      session_.to_continue = latest_;
       return Transition::load;
+    case Choice::kept_games:
+      return Transition::kept_games;
     case Choice::billiards:
       return Transition::billiards;
     case Choice::practice_table:
       return Transition::practice_table;
     case Choice::angry_balls:
-      return level_opened_ ? Transition::level : Transition::levels;
+      return Transition::levels;
     case Choice::replays:
       return Transition::replays;
     case Choice::settings:
@@ -273,34 +240,27 @@ void TitleScreen::tell_refused() {
     } else {
       lines.push_back({words_(Text::settings_blocked), {}, {}});
     }
-    question_ = Question{Dialog(words_(Text::settings_broken), std::move(lines),
-                                {{cancel, words_(Text::ok), words_(Text::tip_close_help)}}),
-                         {}};
-    question_->dialog.resize(view_);
-    return;
+    return tell(words_(Text::settings_broken), std::move(lines));
   }
   const auto refused = session_.kept.take_refused();
   if (!refused) return;
   std::vector<Dialog::Line> lines{{words_(text_of(refused->fault)), {}, {}}};
   if (refused->set_aside) {
     lines.push_back({words_(Text::kept_set_aside), {}, {}});
-    lines.push_back({words_(Text::kept_file, {KeptGames::file(refused->kind)}), {}, {}});
+    lines.push_back({words_(Text::kept_file, {carom::printable(refused->name)}), {}, {}});
   } else {
     lines.push_back({words_(Text::kept_blocked), {}, {}});
   }
-  question_ =
-      Question{Dialog(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
-                                                              : Text::kept_refused_level),
-                      std::move(lines), {{cancel, words_(Text::ok), words_(Text::tip_close_help)}}),
-               {}};
-  question_->dialog.resize(view_);
+  tell(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
+                                               : Text::kept_refused_level),
+       std::move(lines));
 }
 
-void TitleScreen::tell(const std::string& title, const std::string& line) {
-  question_ = Question{
-      Dialog(title, {{line, {}, {}}}, {{cancel, words_(Text::ok), words_(Text::tip_close_help)}}),
-      {}};
-  question_->dialog.resize(view_);
+void TitleScreen::tell(const std::string& title, std::vector<Dialog::Line> lines) {
+  message_.emplace(
+      title, std::move(lines),
+      std::vector<Dialog::Button>{{0, words_(Text::ok), words_(Text::tip_close_help)}});
+  message_->resize(view_);
 }
 
 void TitleScreen::draw(Canvas& canvas) const {
@@ -318,12 +278,12 @@ void TitleScreen::draw(Canvas& canvas) const {
     buttons_.draw_one(canvas, id_of(choice), large ? 22 : 18);
   }
   canvas.list.tip.reset();  // it stands below the name
-  if (question_) question_->dialog.draw(canvas);
+  if (message_) message_->draw(canvas);
 }
 
 std::string TitleScreen::describe() const {
   return words_(Text::product) + " · " +
-         (question_ ? question_->dialog.title() : words_(Text::title_screen));
+         (message_ ? message_->title() : words_(Text::title_screen));
 }
 
 }  // namespace app

@@ -26,8 +26,8 @@ class TitleScreen final : public Screen {
 
  private:
   enum class Choice : std::uint8_t {
-    continue_billiards,
-    continue_level,
+    continue_latest,
+    kept_games,
     billiards,
     practice_table,
     angry_balls,
@@ -36,32 +36,21 @@ class TitleScreen final : public Screen {
     open_file,
     quit,
   };
-  /// About what the dialog is: a kept game, by a new one of its kind; or nothing but OK.
-  struct Question {
-    Dialog dialog;
-    std::optional<Choice> about;
-  };
-
-  enum Answer : ButtonId { go_on, give_up, cancel };
-
   static ButtonId id_of(Choice choice) { return static_cast<ButtonId>(choice); }
   static Text tip_of(Choice choice);
   Transition choose(Choice choice);
-  Transition answer(ButtonId button);
-  Transition proceed(Choice choice);
   void tell_refused();
-  void tell(const std::string& title, const std::string& line);
-  std::string offer(replay::Kind kind) const;
-  std::string kept_level() const;
+  void tell(const std::string& title, std::vector<Dialog::Line> lines);
+  std::string offer() const;
   std::string label_of(Choice choice) const;
 
   Words words_;
   Session& session_;
   std::vector<Choice> choices_;  ///< of the buttons
   View view_;
-  std::optional<Question> question_;
-  bool level_opened_ = false;            ///< Session::level_opened, until it is answered
-  std::optional<replay::Player> ahead_;  ///< plays the game kept, until who is to play is known
+  std::optional<Dialog> message_;          ///< what is to be told first
+  std::optional<KeptGames::Kept> latest_;  ///< the saved game that was played last
+  std::optional<replay::Player> ahead_;    ///< plays the game kept, until who is to play is known
   std::optional<std::ptrdiff_t> to_play_;
   Buttons buttons_;
   Rect art_;   ///< what the poster shows, standing on the rail

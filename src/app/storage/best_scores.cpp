@@ -1,8 +1,9 @@
 #include "app/storage/best_scores.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
+
+#include "replay/replay.hpp"
 
 namespace app {
 namespace {
@@ -17,34 +18,45 @@ bool is_identity(const std::string& text) {
   return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// The integer, if it is one from 0 to the greatest int.
-std::optional<int> whole_number(const json& value) {
+/// The integer, if it is one from 0 to the greatest score.
+std::optional<std::int64_t> whole_number(const json& value) {
   if (!value.is_number_unsigned()) return std::nullopt;
   const auto number = value.get<std::uint64_t>();
-  if (number > std::uint64_t{std::numeric_limits<int>::max()}) return std::nullopt;
-  return static_cast<int>(number);
+  if (number > std::uint64_t{replay::max_score}) return std::nullopt;
+  return static_cast<std::int64_t>(number);
 }
 
 }  // namespace
 
-BestScores::BestScores(Store& store) : store_(store) { merge_stored(); }
+BestScores::BestScores(Store& store) : store_(store) {
+  const auto lock = store_.lock();
+  // What was set aside may hold scores of value: they are written anew.
+  if (merge_stored() && trouble_ == Trouble::set_aside && !best_.empty()) save();
+}
 
-std::optional<int> BestScores::of(const std::string& identity) const {
+std::optional<std::int64_t> BestScores::of(const std::string& identity) const {
   const auto found = best_.find(identity);
   return found == best_.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool BestScores::record(const std::string& identity, int score) {
+bool BestScores::record(const std::string& identity, std::int64_t score) {
+  score = std::clamp(score, std::int64_t{0}, replay::max_score);
   if (const auto best = of(identity); best && score <= *best) return false;
   best_[identity] = score;
+  const auto lock = store_.lock();
   // Another window may have saved since: the better of both stays.
-  if (merge_stored()) {
-    if (!store_.save(file, text()))
-      trouble_ = Trouble::not_kept;
-    else if (trouble_ == Trouble::not_kept)
-      trouble_ = Trouble::none;
-  }
+  if (!lock)
+    trouble_ = Trouble::not_kept;
+  else if (merge_stored())
+    save();
   return true;
+}
+
+void BestScores::save() {
+  if (!store_.save(file, text_of(best_)))
+    trouble_ = Trouble::not_kept;
+  else if (trouble_ == Trouble::not_kept)
+    trouble_ = Trouble::none;
 }
 
 /// False when what is stored can be neither read nor moved away: nothing may be saved over it.
@@ -52,12 +64,12 @@ bool BestScores::merge_stored() {
   const auto stored = store_.load(file);
   bool usable = stored.ok();
   if (usable && stored.value()) {
-    if (const auto scores = parse(*stored.value())) {
-      for (const auto& [identity, score] : *scores) {
-        const auto mine = best_.try_emplace(identity, score).first;
-        mine->second = std::max(mine->second, score);
-      }
-    } else {
+    const Parsed parsed = parse(*stored.value());
+    for (const auto& [identity, score] : parsed.scores) {
+      const auto mine = best_.try_emplace(identity, score).first;
+      mine->second = std::max(mine->second, score);
+    }
+    if (!parsed.whole) {
       usable = store_.set_aside(file).ok();
       trouble_ = Trouble::set_aside;
     }
@@ -66,24 +78,26 @@ bool BestScores::merge_stored() {
   return usable;
 }
 
-/// All of it, or nothing if any of it is not as text() writes it.
-std::optional<BestScores::Scores> BestScores::parse(const std::string& text) {
+/// A wrong entry costs no other. Of another version nothing is taken.
+BestScores::Parsed BestScores::parse(const std::string& text) {
   const json whole = json::parse(text, nullptr, false);
-  if (!whole.is_object() || whole.size() != 2 || !whole.contains(version_key) ||
-      !whole.contains("best") || whole_number(whole[version_key]) != version ||
+  if (!whole.is_object() || !whole.contains(version_key) ||
+      whole_number(whole[version_key]) != version || !whole.contains("best") ||
       !whole["best"].is_object())
-    return std::nullopt;
-  Scores scores;
+    return {};
+  Parsed parsed{{}, whole.size() == 2};
   for (const auto& [identity, value] : whole["best"].items()) {
     const auto score = whole_number(value);
-    if (!score || !is_identity(identity)) return std::nullopt;
-    scores[identity] = *score;
+    if (score && is_identity(identity))
+      parsed.scores[identity] = *score;
+    else
+      parsed.whole = false;
   }
-  return scores;
+  return parsed;
 }
 
-std::string BestScores::text() const {
-  return json{{version_key, version}, {"best", best_}}.dump(2) + '\n';
+std::string BestScores::text_of(const Scores& scores) {
+  return json{{version_key, version}, {"best", scores}}.dump(2) + '\n';
 }
 
 }  // namespace app

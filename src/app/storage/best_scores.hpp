@@ -14,23 +14,29 @@ class BestScores {
  public:
   enum class Trouble : std::uint8_t {
     none,
-    set_aside,  ///< what was stored was no list of scores; it is kept under another name
+    set_aside,  ///< some of what was stored was no score; it is kept under another name
     not_kept,   ///< the store does not work: scores last until the program ends
   };
 
   /// The store must outlive this.
   explicit BestScores(Store& store);
 
-  std::optional<int> of(const std::string& identity) const;
+  std::optional<std::int64_t> of(const std::string& identity) const;
   /// Takes over and saves a score that is better than the best so far; tells whether it is.
-  bool record(const std::string& identity, int score);
+  bool record(const std::string& identity, std::int64_t score);
   Trouble trouble() const { return trouble_; }
 
  private:
-  using Scores = std::map<std::string, int>;
-  static std::optional<Scores> parse(const std::string& text);
-  std::string text() const;
+  using Scores = std::map<std::string, std::int64_t>;
+  /// What can be made of a text, and whether that is all of it.
+  struct Parsed {
+    Scores scores;
+    bool whole = false;
+  };
+  static Parsed parse(const std::string& text);
+  static std::string text_of(const Scores& scores);
   bool merge_stored();
+  void save();
 
   Store& store_;
   Scores best_;

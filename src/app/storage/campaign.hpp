@@ -22,6 +22,12 @@ struct Campaign {
       if (levels[i].identity == identity) return i;
     return std::nullopt;
   }
+  /// A level as it is on offer; if it is not, of unknown origin.
+  Level known(const carom::Scene& scene) const {
+    Level level = level_of(scene);
+    if (const auto index = find(level.identity)) level.origin = levels[*index].origin;
+    return level;
+  }
   /// The next level that can be played.
   std::optional<std::size_t> next() const {
     for (std::size_t i = current + 1; i < levels.size(); ++i)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,45 +11,57 @@
 
 namespace app {
 
-/// The game of each kind that is in progress, kept in a Store after every turn as a replay, so that
-/// it can be continued at the next start.
+/// Games in progress, kept in a Store as replays after every command and turn, so that they can be
+/// continued. Each has a name of its own, "continue-billiards-0001.json"; the highest number was
+/// played last. A window writes only over what it has itself written last.
 class KeptGames {
  public:
+  /// Where a game is kept, and as what; at first nowhere.
+  struct Place {
+    std::string name{};
+    std::string text{};
+    bool own = false;  ///< written here, and not only read
+  };
+  struct Kept {
+    Place place;
+    replay::Replay game;
+  };
   /// What was stored and cannot be continued.
   struct Refused {
+    std::string name;
     replay::Kind kind{};
     ReplayFault fault{};
-    bool set_aside = false;  ///< kept under another name; if not, nothing is saved over it
+    bool set_aside = false;  ///< kept under another name; if not, it is where it was
   };
 
   /// The store must outlive this.
-  explicit KeptGames(Store& store);
+  explicit KeptGames(Store& store) : store_(store) {}
 
-  /// The game to continue. Read, but not yet played.
-  const std::optional<replay::Replay>& of(replay::Kind kind) const { return at(kind).game; }
-  /// False when it could not be saved.
-  bool keep(const replay::Replay& game);
-  /// The game is over, or was given up.
-  void forget(replay::Kind kind);
+  /// The games kept, that played last first.
+  std::vector<std::string> names() const;
+  /// Read, but not yet played.
+  carom::Result<Kept> load(const std::string& name) const;
+  /// The first of names() that can be read. Those before it are refused.
+  std::optional<Kept> latest();
+  /// Keeps a game where it was kept before, or under a new name if it was continued: another window
+  /// may have done the same. False when it could not be saved.
+  bool keep(Place& place, const replay::Replay& game);
+  /// The game is over.
+  void forget(Place& place);
+  /// The player no longer wants it. False when it cannot be removed.
+  bool remove(const std::string& name) { return store_.remove(name).ok(); }
   /// What is kept turned out to be none.
-  void refuse(replay::Kind kind, ReplayFault fault);
+  void refuse(const std::string& name, ReplayFault fault);
   /// What has been refused and not been told yet, one at a time.
   std::optional<Refused> take_refused();
 
-  static std::string file(replay::Kind kind);
-
  private:
-  struct Slot {
-    std::optional<replay::Replay> game;
-    bool blocked = false;  ///< something unreadable is there that cannot be moved away
-  };
-  Slot& at(replay::Kind kind) { return slots_[static_cast<std::size_t>(kind)]; }
-  const Slot& at(replay::Kind kind) const { return slots_[static_cast<std::size_t>(kind)]; }
-  void load(replay::Kind kind);
+  bool unchanged(const Place& place) const;
+  bool save_anew(Place& place, replay::Kind kind, const std::string& text);
 
   Store& store_;
-  std::array<Slot, 2> slots_;
   std::vector<Refused> refused_;
+  std::set<std::string> unreadable_;  ///< told once
 };
 
 }  // namespace app

@@ -51,11 +51,19 @@ Level level_of(const carom::Scene& scene) {
   return {scene.name, scene, {}, identity_of(scene), {}};
 }
 
+std::string shown_name(const Words& words, const Level& level) {
+  if (level.origin == Origin::shipped) return words.level_name(level.name);
+  return words(level.origin == Origin::own ? Text::own_level : Text::unknown_level,
+               {words.foreign_name(level.name)});
+}
+
 std::vector<Level> shipped_levels() {
   std::vector<Level> levels;
-  for (const Embedded& file : shipped_files)
+  for (const Embedded& file : shipped_files) {
     levels.push_back(
         read_level(std::string(file.name), std::string(file.bytes.begin(), file.bytes.end())));
+    levels.back().origin = Origin::shipped;
+  }
   return levels;
 }
 

@@ -1,13 +1,22 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "app/storage/store.hpp"
+#include "app/text/text.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
 
 namespace app {
+
+/// Where a level comes from. It is told by the level, never by its name.
+enum class Origin : std::uint8_t {
+  shipped,  ///< part of the program
+  own,      ///< a file of the player's
+  unknown,  ///< came with a link or a replay
+};
 
 /// A level of Angry Balls on offer; also one that cannot be played, and why.
 struct Level {
@@ -17,6 +26,7 @@ struct Level {
   /// 16 hexadecimal digits that change with anything in the level; empty if it is not sound.
   std::string identity;
   std::string file{};  ///< its name, for messages
+  Origin origin = Origin::unknown;
 };
 
 /// `file`: its name, for messages; `bytes`: what is in it, or why it could not be read.
@@ -24,6 +34,10 @@ Level read_level(const std::string& file, const carom::Result<std::string>& byte
 
 /// A sound level that is no file, such as that of a game kept.
 Level level_of(const carom::Scene& scene);
+
+/// What a level is called among other words: a shipped one by its name, others in quotes, with
+/// where they come from.
+std::string shown_name(const Words& words, const Level& level);
 
 /// The levels that are part of the program, in order.
 std::vector<Level> shipped_levels();

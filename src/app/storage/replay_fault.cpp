@@ -10,6 +10,8 @@ ReplayFault fault_of(const carom::Errors& errors) {
 
 Text text_of(ReplayFault fault) {
   switch (fault) {
+    case ReplayFault::unreadable:
+      return Text::fault_unreadable;
     case ReplayFault::other_version:
       return Text::fault_other_version;
     case ReplayFault::diverged:

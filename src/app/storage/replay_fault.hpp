@@ -9,6 +9,7 @@ namespace app {
 
 /// Why something is not taken for a replay, as the player is told.
 enum class ReplayFault : std::uint8_t {
+  unreadable,     ///< there, and not to be read
   damaged,        ///< cut off, changed, or never was one
   other_version,  ///< made by another version of the game
   diverged,       ///< whole, but the game does not go that way

@@ -9,7 +9,8 @@
 namespace app {
 namespace {
 
-using json = nlohmann::ordered_json;
+using json = nlohmann::json;  // finds a key among many at once
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* version_key = "angry-balls-settings";
 constexpr int version = 1;
@@ -26,7 +27,7 @@ constexpr std::array<std::string_view, 4> breakers{"player-1", "player-2", "alte
 // Both directions go by the same list of keys: `visit` is called with each key and its value.
 
 struct Writer {
-  json& out;
+  OrderedJson& out;
   void operator()(const char* key, bool value) const { out[key] = value; }
   void operator()(const char* key, int value) const { out[key] = value; }
   void operator()(const char* key, const std::array<std::string, 2>& value) const {
@@ -36,7 +37,7 @@ struct Writer {
     out[key] = value ? code_of(*value) : system_language;
   }
   void operator()(const char* key, const KeyBindings& value) const {
-    out[key] = json::object();
+    out[key] = OrderedJson::object();
     for (const auto& [command, letter] : value.to_pairs()) out[key][command] = letter;
   }
   template <class Choice, std::size_t n>
@@ -135,16 +136,19 @@ void visit_all(Any& settings, Visit& visit) {
   visit("keys", settings.keys);
 }
 
-std::string text_of(const Settings& settings) {
-  json out{{version_key, version}};
+OrderedJson json_of(const Settings& settings) {
+  OrderedJson out{{version_key, version}};
   Writer writer{out};
   visit_all(settings, writer);
-  return out.dump(2) + '\n';
+  return out;
 }
+
+std::string text_of(const Settings& settings) { return json_of(settings).dump(2) + '\n'; }
 
 /// All of it, or nothing if any of it is wrong. A key that is missing has its default: files grow
 /// with the program.
 std::optional<Settings> parse(const std::string& text) {
+  if (text.size() > max_settings) return std::nullopt;
   const json in = json::parse(text, nullptr, false);
   if (!in.is_object() || !in.contains(version_key) || in[version_key] != version ||
       !in[version_key].is_number_unsigned())
@@ -159,6 +163,27 @@ std::optional<Settings> parse(const std::string& text) {
 /// Whether it can be shown within a line.
 bool printable(char32_t code) {
   return code >= 0x20 && (code < 0x7f || code >= 0xa0) && code != 0x2028 && code != 0x2029;
+}
+
+/// Of `mine` what was changed since `before`, and of `theirs` all else.
+void merge(const OrderedJson& before, const OrderedJson& mine, OrderedJson& theirs) {
+  if (mine == before) return;
+  if (mine.is_primitive() || theirs.size() != mine.size()) {
+    theirs = mine;
+    return;
+  }
+  auto old = before.begin();
+  auto merged = theirs.begin();
+  for (auto changed = mine.begin(); changed != mine.end(); ++changed, ++old, ++merged)
+    merge(*old, *changed, *merged);
+}
+
+/// What the player has changed here counts, and what another window has changed of the rest.
+Settings merged(const Settings& before, const Settings& mine, const Settings& theirs) {
+  OrderedJson both = json_of(theirs);
+  merge(json_of(before), json_of(mine), both);
+  // Two windows may have given a letter to two commands.
+  return parse(both.dump()).value_or(mine);
 }
 
 }  // namespace
@@ -218,11 +243,12 @@ std::optional<Settings> KeptSettings::load() {
 void KeptSettings::set(Settings settings) {
   for (std::string& name : settings.names) name = name_of(name);
   settings.volume = std::clamp(settings.volume, 0, most_volume);
-  settings_ = std::move(settings);
+  const Settings before = std::exchange(settings_, std::move(settings));
+  const auto lock = store_.lock();
   // Another window, or an editor, may have saved since: what are no settings is not overwritten.
-  static_cast<void>(load());
+  if (const auto stored = load()) settings_ = merged(before, settings_, *stored);
   if (blocked_) return;
-  if (!store_.save(settings_file, text_of(settings_)))
+  if (!lock || !store_.save(settings_file, text_of(settings_)))
     trouble_ = Trouble::not_kept;
   else if (trouble_ == Trouble::not_kept)
     trouble_ = Trouble::none;

@@ -26,7 +26,8 @@ enum class Breaks : std::uint8_t {
 };
 
 inline constexpr int most_volume = 100;
-inline constexpr std::size_t longest_name = 24;  ///< code points
+inline constexpr std::size_t max_settings = 64 << 10;  ///< bytes of a file
+inline constexpr std::size_t longest_name = 24;        ///< code points
 
 /// What the player has chosen. A plain value; the defaults are those of the first start.
 struct Settings {

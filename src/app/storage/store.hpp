@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,12 +13,24 @@ namespace app {
 /// The name of the settings, which the platform keeps where settings lie; all else are data.
 inline constexpr const char* settings_file = "settings.json";
 
+/// Held by one window at a time, as long as it reads, changes and writes what others share.
+class StoreLock {
+ public:
+  StoreLock() = default;
+  virtual ~StoreLock() = default;
+  StoreLock(const StoreLock&) = delete;
+  StoreLock& operator=(const StoreLock&) = delete;
+};
+
 /// Keeps texts by name beyond the program's end. A name may begin with a folder: "replays/a.json".
 /// The platform knows where.
 class Store {
  public:
   virtual ~Store() = default;
 
+  /// Waits for other windows, but not for ever: null when one does not let go. Not to be asked for
+  /// again while it is held.
+  virtual std::unique_ptr<StoreLock> lock() { return std::make_unique<StoreLock>(); }
   /// What was saved under `name`; none if nothing was. Fails when it is there and cannot be read.
   virtual carom::Result<std::optional<std::string>> load(const std::string& name) = 0;
   virtual carom::Status save(const std::string& name, const std::string& text) = 0;
@@ -27,7 +40,7 @@ class Store {
   virtual carom::Status remove(const std::string& name) = 0;
   /// Renames what is there to NAME.broken, so that it is kept and nothing is saved over it.
   virtual carom::Status set_aside(const std::string& name) = 0;
-  /// The names in a folder ("replays/") that end in ".json", in order.
+  /// The names in a folder ("replays/", or "" for those in none) that end in ".json", in order.
   virtual std::vector<std::string> list(const std::string& folder) = 0;
 };
 

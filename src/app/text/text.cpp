@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/base/embedded.hpp"
+#include "carom/printable.hpp"
 
 namespace app {
 namespace {
@@ -180,7 +181,7 @@ std::string Words::count(Text text, int n) const {
   return filled(forms.substr(0, forms.find('\x1f')), {number(n)}, language(), hand());
 }
 
-std::string Words::number(int value) const {
+std::string Words::number(std::int64_t value) const {
   const std::string_view separator = text_in(language(), Text::thousands_mark);
   std::string digits = std::to_string(value);
   for (std::size_t at = digits.size(); at > 3 && digits[at - 4] != '-';) {
@@ -205,9 +206,25 @@ std::string Words::level_name(std::string_view name) const {
   return std::string(name);
 }
 
+std::string Words::foreign_name(std::string_view name) const {
+  constexpr std::size_t most = 60;
+  if (name.empty()) return (*this)(Text::unnamed_level);
+  std::string shown = carom::printable(name, most);
+  const auto replace = [&](std::string_view sign, std::string_view by) {
+    for (std::size_t at = shown.find(sign); at != std::string::npos; at = shown.find(sign, at))
+      shown.replace(at, sign.size(), by);
+  };
+  // The dots that part the pieces of a title, their likes, and quotes.
+  for (const std::string_view sign : {"·", "•", "‧", "∙", "⋅", "・", "･", "‣", "●", "᛫"})
+    replace(sign, "-");
+  for (const std::string_view quote : {"\"", "“", "”", "„", "‟", "«", "»", "‹", "›"})
+    replace(quote, "'");
+  return shown;
+}
+
 std::string Words::player(int player) const {
   const std::string& name = voice_->names[static_cast<std::size_t>(player)];
-  return name.empty() ? (*this)(Text::player, {number(player + 1)}) : name;
+  return name.empty() ? (*this)(Text::player, {number(player + 1)}) : carom::printable(name);
 }
 
 }  // namespace app

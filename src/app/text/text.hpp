@@ -72,11 +72,14 @@ class Words {
   /// A text with plural forms: the one for `n`, which {0} stands for.
   std::string count(Text text, int n) const;
   /// Thousands set apart as the language does.
-  std::string number(int value) const;
+  std::string number(std::int64_t value) const;
   /// With one digit behind the point or comma.
   std::string tenths(double value) const;
   /// A shipped level's name in the language; others are left as they are.
   std::string level_name(std::string_view name) const;
+  /// A name that anybody may have given, fit to stand among other words and within quotes, which it
+  /// cannot end: short, and without what parts the pieces of a line.
+  std::string foreign_name(std::string_view name) const;
   /// The name of player 0 or 1: "Player 1" for a player without one.
   std::string player(int player) const;
 

@@ -8,6 +8,7 @@
 #include "app/graphics/noise.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
+#include "app/view/clear_place.hpp"
 
 namespace app {
 namespace {
@@ -131,7 +132,8 @@ void Effects::draw_burst(Canvas& canvas, const Viewport& viewport, const Burstin
   }
 }
 
-void Effects::draw_over_balls(Canvas& canvas, const Viewport& viewport, const Rect& table) const {
+void Effects::draw_over_balls(Canvas& canvas, const Viewport& viewport, const Rect& table,
+                              const carom::World& world) const {
   for (const Bursting& ball : bursting_) draw_burst(canvas, viewport, ball);
   std::vector<Rect> taken;
   for (const Floating& text : floating_) {
@@ -147,10 +149,11 @@ void Effects::draw_over_balls(Canvas& canvas, const Viewport& viewport, const Re
     taken.push_back(box);
     pill(canvas, box, style, text.text, fade(text.age, float_time));
   }
-  if (announcement_) draw_announcement(canvas, table);
+  if (announcement_) draw_announcement(canvas, table, things_in(world, viewport));
 }
 
-void Effects::draw_announcement(Canvas& canvas, const Rect& table) const {
+void Effects::draw_announcement(Canvas& canvas, const Rect& table,
+                                std::span<const Rect> things) const {
   const float opacity = fade(announcement_->age, announcement_time);
   const std::optional<int> player = announcement_->player;
   const bool two_lines = !announcement_->detail.empty();
@@ -164,6 +167,7 @@ void Effects::draw_announcement(Canvas& canvas, const Rect& table) const {
   Rect box = centered(
       middle, std::min(two_lines ? canvas.px(440) : alone, canvas.view.width - canvas.px(32)),
       height);
+  box = clear_place(box, table, things);
   const Color accent =
       player ? canvas.list.palette->accents[static_cast<std::size_t>(*player)] : palette::brass;
   fill_rounded(canvas.list, box.moved({0, canvas.px(4)}), canvas.px(16),

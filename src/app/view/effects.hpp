@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "app/graphics/canvas.hpp"
 #include "app/view/balls.hpp"
 #include "app/view/viewport.hpp"
+#include "carom/world.hpp"
 
 namespace app {
 
@@ -35,7 +37,10 @@ class Effects {
   /// Shakes what was drawn from vertex `first` on, in `area`, as long as a ball breaks.
   void shake(DrawList& list, std::size_t first, const Rect& area) const;
   /// `table`: what everything stays within, window px.
-  void draw_over_balls(Canvas& canvas, const Viewport& viewport, const Rect& table) const;
+  /// An announcement lies within `table`, where it hides the least of `world`.
+  void draw_over_balls(Canvas& canvas, const Viewport& viewport, const Rect& table,
+                       const carom::World& world) const;
+  void end_announcement() { announcement_.reset(); }
 
  private:
   struct Sinking {
@@ -66,7 +71,7 @@ class Effects {
   };
 
   static void draw_burst(Canvas& canvas, const Viewport& viewport, const Bursting& ball);
-  void draw_announcement(Canvas& canvas, const Rect& table) const;
+  void draw_announcement(Canvas& canvas, const Rect& table, std::span<const Rect> things) const;
 
   std::vector<Sinking> sinking_;
   std::vector<Bursting> bursting_;

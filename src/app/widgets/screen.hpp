@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/base/time.hpp"
 #include "app/graphics/canvas.hpp"
@@ -20,13 +21,14 @@ enum class Transition : std::uint8_t {
   practice_table,
   levels,
   level,
-  load,      ///< plays the game kept up to where it was left
-  resume,    ///< goes on with the game loaded
-  replays,   ///< the replays saved
-  replay,    ///< shows a replay; the screen left is kept
-  settings,  ///< the settings; the screen left is kept
-  help,      ///< all keys, over the screen, which waits
-  back,      ///< to the screen kept
+  load,        ///< plays the game kept up to where it was left
+  resume,      ///< goes on with the game loaded
+  kept_games,  ///< those that can be continued
+  replays,     ///< the replays saved
+  replay,      ///< shows a replay; the screen left is kept
+  settings,    ///< the settings; the screen left is kept
+  help,        ///< all keys, over the screen, which waits
+  back,        ///< to the screen kept
   quit,
 };
 
@@ -35,6 +37,7 @@ struct AimPrompt {
   Point at;          ///< window px, the ball's centre
   float radius = 0;  ///< window px
   Text what{};
+  std::vector<Rect> in_sight{};  ///< what a lesson should not cover, window px
 };
 
 /// What fills the window. Input and time go in; a picture and a transition come out.

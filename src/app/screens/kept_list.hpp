@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/play/session.hpp"
+#include "app/text/text.hpp"
+#include "app/widgets/dialog.hpp"
+#include "app/widgets/paged_list.hpp"
+#include "app/widgets/screen.hpp"
+
+namespace app {
+
+/// The games in progress, that played last first: each can be continued, or deleted.
+class KeptList final : public Screen {
+ public:
+  KeptList(const Words& words, Session& session);
+
+  void resize(const View& view) override;
+  Transition event(const Input& input) override;
+  Transition iterate(nanoseconds) override { return Transition::stay; }
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  bool animating() const override { return false; }
+
+ private:
+  /// A line of the page.
+  struct Entry {
+    std::string name;
+    std::optional<KeptGames::Kept> kept;  ///< none: it cannot be read
+    ReplayFault fault{};
+  };
+
+  /// Beside the games, of which each is two items of the list: continue, delete.
+  enum Button : ButtonId { title = PagedList::first_own };
+  enum Answer : ButtonId { yes, no };
+
+  void show_page(std::size_t page);
+  Transition choose(ButtonId button);
+  void ask(const Entry& entry);
+  std::string describe(const Entry& entry) const;
+
+  Words words_;
+  Session& session_;
+  std::vector<std::string> names_;
+  std::vector<Entry> entries_;  ///< of the page
+  PagedList list_;
+  std::optional<Dialog> question_;  ///< whether to delete doomed_
+  std::string doomed_;
+  std::size_t per_page_ = 1;
+  std::size_t page_ = 0;
+  View view_;
+  Rect head_;
+  Rect rows_;
+  Rect foot_;
+};
+
+}  // namespace app
