@@ -68,12 +68,13 @@ void Forecast::begin_clock(const FixedParts& fixed, const Balls& balls) {
   now_ = 0;
   unit_ = 1;
   extent_ = 0;
+  fails_ = false;
   double extent = 0;
   for (const Hole& hole : fixed.scene.holes)
     extent = std::max(extent, std::abs(hole.position.x) + std::abs(hole.position.y) + hole.radius);
   widen(std::max(extent, fixed.scene.width + fixed.scene.height));
   for_each_ball(in_play_, [&](std::size_t i) { note(fixed, balls, i); });
-  if (!begun_) return;
+  if (fails_) return give_up();
   pack(balls);
   for_each_ball(in_play_, [&](std::size_t i) { predict(fixed, balls, i); });
   if (fixed.scene.gravity > 0) wake(moving_);
@@ -85,9 +86,13 @@ void Forecast::widen(double extent) {
   margin_ = extent * 0x1p-32 + extent * extent * 0x1p-48 / least_radius_;
   slack_ = static_cast<float>(extent * 0x1p-18 + margin_);
   if (!(margin_ < least_radius_ * 0x1p-10) || extent > max_quantity) {
-    begun_ = false;
-    pause_left_ = 64;
+    fails_ = true;
   }
+}
+
+void Forecast::give_up() {
+  begun_ = false;
+  pause_left_ = 64;
 }
 
 void Forecast::classify(const FixedParts& fixed, const Balls& balls, std::size_t i) {
@@ -450,6 +455,7 @@ void Forecast::settle(const FixedParts& fixed, Balls& balls, BallMask unsettled)
 void Forecast::end_step(const FixedParts& fixed, Balls& balls, int part, int parts) {
   ++step_;
   balance_ += 0.7 * static_cast<double>(size_);
+  if (fails_) return give_up();
   if (part < parts) begin_clock(fixed, balls);  // the rest of the step was dropped
   if (balance_ < -64.0 * static_cast<double>(size_) - 64) {
     begun_ = false;

@@ -38,10 +38,12 @@ World::World(Scene scene) {
 // What many balls leave in it may be large, and holds only for them.
 World::WorkspaceOwner& World::WorkspaceOwner::operator=(const WorkspaceOwner& other) {
   if (this == &other || !workspace) return *this;
-  if (workspace->gone.size() <= Forecast::max_balls)
-    workspace->forecast.forget();
-  else
+  if (workspace->gone.size() > Forecast::max_balls) {
     workspace.reset();
+    return *this;
+  }
+  workspace->forecast.forget();
+  workspace->packed = {};  // it knows the radii of the balls it was built for
   return *this;
 }
 

@@ -111,6 +111,7 @@ class Forecast {
   void classify(const FixedParts& fixed, const Balls& balls, std::size_t i);
   void note(const FixedParts& fixed, const Balls& balls, std::size_t i);
   void widen(double extent);
+  void give_up();
   void predict(const FixedParts& fixed, const Balls& balls, std::size_t i);
   double straight(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
   double bounded(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
@@ -124,6 +125,8 @@ class Forecast {
   int one_part_until(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
 
   bool begun_ = false;
+  bool fails_ =
+      false;  ///< the margins do not hold; ends with the step, whose parts belong together
   std::size_t size_ = 0;
   BallMask in_play_ = 0;
   BallMask moving_ = 0;  ///< free, rolling or hot
