@@ -6,7 +6,6 @@
 #include <memory>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 #include "carom/balls.hpp"
 #include "carom/event.hpp"
@@ -43,6 +42,7 @@ struct RunEnd {
   friend bool operator==(const RunEnd&, const RunEnd&) = default;
 };
 
+struct FixedParts;
 struct Workspace;
 
 /// Balls, holes, obstacles and edges in motion (§1.1.4, §1.2, §2.2). A plain value: copy it to keep
@@ -80,7 +80,7 @@ class World {
   }
 
   /// The world's fixed part: size, edges, friction, holes, obstacles, … Its `balls` are empty.
-  const Scene& scene() const { return scene_; }
+  const Scene& scene() const;
 
   /// Slots in the array, a lead out of play included: indices run from 0 to this, exclusive.
   std::size_t size() const { return balls_.size(); }
@@ -139,27 +139,26 @@ class World {
   explicit World(Scene scene);
   RunEnd run(Until until, std::uint64_t max_steps, Tell tell, void* sink);
 
-  /// What a step keeps belongs to the state it was kept for: a copy starts without, an assignment
-  /// drops it.
+  /// What steps keep belongs to the state it was kept for: a copy starts without, an assignment
+  /// forgets it, but keeps its memory.
   struct WorkspaceOwner {
     WorkspaceOwner() = default;
     WorkspaceOwner(const WorkspaceOwner&) {}
     WorkspaceOwner(WorkspaceOwner&&) = default;
-    // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): to begin anew harms no state.
-    WorkspaceOwner& operator=(const WorkspaceOwner&) {
-      workspace.reset();
-      return *this;
-    }
+    WorkspaceOwner& operator=(const WorkspaceOwner& other);
     WorkspaceOwner& operator=(WorkspaceOwner&&) = default;
     ~WorkspaceOwner() = default;
     std::shared_ptr<Workspace> workspace;  ///< never shared; made by the first step()
   };
 
-  Scene scene_;
+  Workspace& workspace();
+  /// The state is no longer what the last step left.
+  void changed();
+
+  std::shared_ptr<const FixedParts> fixed_;  ///< shared by copies
   Balls balls_;
   bool lead_out_ = false;
   std::uint64_t steps_ = 0;
-  std::vector<Event> events_;
   BroadPhase broad_phase_ = BroadPhase::automatic;
   bool skipping_ = true;
   std::size_t threads_ = 1;

@@ -10,6 +10,9 @@
 #include "carom/balls.hpp"
 #include "carom/internal/all_pairs.hpp"
 #include "carom/internal/arithmetic_check.hpp"
+#include "carom/internal/due_pairs.hpp"
+#include "carom/internal/fixed_parts.hpp"
+#include "carom/internal/forecast.hpp"
 #include "carom/internal/row_pairs.hpp"
 #include "carom/internal/thread_pool.hpp"
 #include "carom/internal/vectors.hpp"
@@ -23,24 +26,64 @@ namespace carom {
 class Stepper {
  public:
   explicit Stepper(World& world)
-      : scene_(world.scene_),
+      : world_(world),
+        fixed_(*world.fixed_),
+        scene_(fixed_.scene),
         balls_(world.balls_),
         lead_out_(world.lead_out_),
-        events_(world.events_),
         workspace_(*world.owner_.workspace),
+        events_(workspace_.events),
         gone_(workspace_.gone),
-        broad_phase_(world.broad_phase_) {
+        forecast_(workspace_.forecast),
+        broad_phase_(world.broad_phase_),
+        forecast_wanted_(world.skipping_ && broad_phase_ == BroadPhase::automatic &&
+                         Forecast::suits(scene_, balls_.size())) {
+    if (!forecast_wanted_) forecast_.forget();
     workspace_.set_threads(balls_.size() < many_balls ? 1 : world.threads_);
   }
 
-  void step() {
+  struct Taken {
+    std::uint64_t steps = 0;
+    bool rests = false;
+  };
+
+  // Takes steps: at most `most`; the last is the first that has events or, if so wanted, the first
+  // after which all rests.
+  Taken take(std::uint64_t most, bool until_rest) {
+    Taken taken;
+    while (taken.steps < most && events_.empty() && !taken.rests) {
+      std::uint64_t steps = 1;
+      bool may_rest = true;
+      if (forecast_.begun()) {
+        std::uint64_t limit = most - taken.steps;
+        if (until_rest) limit = std::min(limit, forecast_.steps_until_rest());
+        steps = forecast_.pass_quiet_steps(fixed_, balls_, limit);
+        if (steps == 0) {
+          if (!forecast_.begun()) continue;
+          due_step();
+          steps = 1;
+        }
+        may_rest = forecast_.may_rest();
+      } else {
+        whole_step();
+        if (forecast_wanted_) forecast_.begin(fixed_, balls_, lead_out_, !events_.empty());
+      }
+      taken.steps += steps;
+      if (!until_rest || !may_rest) continue;
+      if (forecast_.begun() && forecast_.is_busy(fixed_, balls_)) continue;
+      taken.rests = world_.at_rest();
+    }
+    return taken;
+  }
+
+ private:
+  // All seven stages for all balls.
+  void whole_step() {
     const int k = sub_steps();
     const double h = time_step / k;
     const bool lead_was_out = lead_out_;
     for (int part = 1; part <= k && lead_out_ == lead_was_out; ++part) {
-      gone_.assign(balls_.size(), 0);
-      any_gone_ = false;
-      if (lead_out_) gone_[0] = 1;
+      begin_part();
       // The friction of a whole step acts once, in its last part.
       move(h, part == k ? scene_.friction : 1.0);
       const bool automatic = broad_phase_ == BroadPhase::automatic;
@@ -53,7 +96,33 @@ class Stepper {
     }
   }
 
- private:
+  // The same, where only the balls that are due need more than stage 1.
+  void due_step() {
+    const int k = forecast_.parts(fixed_, balls_);
+    const double h = time_step / k;
+    const bool lead_was_out = lead_out_;
+    int part = 0;
+    while (part < k && lead_out_ == lead_was_out) {
+      ++part;
+      begin_part();
+      const double friction = part == k ? scene_.friction : 1.0;
+      if (!forecast_.move(fixed_, balls_, h, friction)) move(h, friction);
+      BallMask put = 0;
+      if (const BallMask due = forecast_.due(fixed_, part, k); due != 0) {
+        DuePairs pairs(balls_, gone_, forecast_, due, scene_.gravity > 0);
+        put = after_due_move(pairs);
+      }
+      forecast_.settle(fixed_, balls_, any_gone_ ? ~BallMask{0} : put);
+    }
+    forecast_.end_step(fixed_, balls_, part, k);
+  }
+
+  void begin_part() {
+    gone_.assign(balls_.size(), 0);
+    any_gone_ = false;
+    if (lead_out_) gone_[0] = 1;
+  }
+
   template <class Pairs>
   void after_move(Pairs pairs) {
     collide(pairs);
@@ -62,6 +131,25 @@ class Stepper {
     obstacles(pairs);
     edges();
     remove();
+  }
+
+  // Returns the balls that were put elsewhere.
+  BallMask after_due_move(DuePairs& pairs) {
+    collide(pairs);
+    pairs.choose_active();
+    if (scene_.gravity > 0) support(pairs);
+    for (std::size_t n = 0; n < scene_.holes.size(); ++n)
+      for_each_ball(pairs.active(), [&](std::size_t i) {
+        if (!gone_[i]) hole(n, i);
+      });
+    obstacles(pairs);
+    for_each_ball(pairs.active(), [&](std::size_t i) {
+      const Vec2 before = balls_.position(i);
+      edges(i);
+      if (!(balls_.position(i) == before)) pairs.moved(i);
+    });
+    remove();
+    return pairs.put();
   }
 
   // Runs action(begin, end) on all of [0, size), on several threads if there are.
@@ -278,8 +366,7 @@ class Stepper {
   }
 
   void few_near_holes() {
-    if (!workspace_.hole_free) workspace_.hole_free = hole_free_box(scene_);
-    const Box& free = *workspace_.hole_free;
+    const Box& free = fixed_.hole_free;
     const auto outside = [&](auto x, auto y) {
       return (x <= free.low.x) | (x >= free.high.x) | (y <= free.low.y) | (y >= free.high.y);
     };
@@ -428,20 +515,27 @@ class Stepper {
     if (!any_gone_) return;
     for (std::size_t i = balls_.size(); i-- > 0;) {
       if (!gone_[i]) continue;
-      if (i == 0 && is_lead(balls_.role[0]))
+      if (i == 0 && is_lead(balls_.role[0])) {
         lead_out_ = true;
-      else
+        if (forecast_.begun()) forecast_.lead_went_out();
+      } else {
         balls_.swap_out(i);
+        if (forecast_.begun()) forecast_.swap_out(i);
+      }
     }
   }
 
+  const World& world_;
+  const FixedParts& fixed_;
   const Scene& scene_;
   Balls& balls_;
   bool& lead_out_;
-  std::vector<Event>& events_;
   Workspace& workspace_;
+  std::vector<Event>& events_;
   std::vector<std::uint8_t>& gone_;
+  Forecast& forecast_;
   const BroadPhase broad_phase_;
+  const bool forecast_wanted_;
   bool any_gone_ = false;  ///< more than a lead that was out before
 };
 
@@ -449,30 +543,32 @@ bool step_arithmetic_is_exact() { return arithmetic_is_exact(); }
 
 std::span<const Event> World::step() {
   const ExactArithmetic exact;
-  events_.clear();
-  if (!owner_.workspace) owner_.workspace = std::make_shared<Workspace>();
-  Stepper(*this).step();
+  Workspace& kept = workspace();
+  kept.events.clear();
   ++steps_;
-  return events_;
+  const bool passes = skipping_ && broad_phase_ == BroadPhase::automatic &&
+                      kept.forecast.pass_quiet_step(*fixed_, balls_);
+  if (!passes) Stepper(*this).take(1, false);
+  return kept.events;
 }
 
 RunEnd World::run(Until until, std::uint64_t max_steps, Tell tell, void* sink) {
   const ExactArithmetic exact;
-  RunEnd end;
-  while (!(until.rest && at_rest())) {
-    if (end.steps == max_steps) return end;
-    step();
-    ++end.steps;
-    if (events_.empty()) continue;
-    if (tell != nullptr) tell(sink, steps_, events_);
+  using Why = RunEnd::Why;
+  if (until.rest && at_rest()) return {0, Why::rest};
+  std::vector<Event>& events = workspace().events;
+  std::uint64_t taken = 0;
+  while (taken < max_steps) {
+    events.clear();
+    const Stepper::Taken part = Stepper(*this).take(max_steps - taken, until.rest);
+    taken += part.steps;
+    steps_ += part.steps;
+    if (tell != nullptr && !events.empty()) tell(sink, steps_, events);
     const auto wanted = [&](const Event& event) { return until.events.has(event.kind); };
-    if (std::ranges::any_of(events_, wanted)) {
-      end.why = RunEnd::Why::event;
-      return end;
-    }
+    if (std::ranges::any_of(events, wanted)) return {taken, Why::event};
+    if (part.rests) return {taken, Why::rest};
   }
-  end.why = RunEnd::Why::rest;
-  return end;
+  return {taken, Why::steps};
 }
 
 }  // namespace carom

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "carom/arithmetic.hpp"
+#include "carom/internal/fixed_parts.hpp"
 #include "carom/internal/scene_check.hpp"
+#include "carom/internal/workspace.hpp"
 
 namespace carom {
 
@@ -21,16 +23,40 @@ Error no_such_ball() {
 
 }  // namespace
 
-World::World(Scene scene) : scene_(std::move(scene)) {
-  balls_.reserve(scene_.balls.size());
-  for (Ball ball : scene_.balls) {
+World::World(Scene scene) {
+  balls_.reserve(scene.balls.size());
+  for (Ball ball : scene.balls) {
     ball.id = static_cast<std::uint32_t>(size());
     ball.acceleration = {};
     if (ball.role == Role::projectile) ball.solidity = infinite_solidity;
     balls_.push_back(ball);
   }
-  scene_.balls = {};
+  scene.balls = {};
+  fixed_ = std::make_shared<const FixedParts>(std::move(scene));
 }
+
+// What many balls leave in it may be large, and holds only for them.
+World::WorkspaceOwner& World::WorkspaceOwner::operator=(const WorkspaceOwner& other) {
+  if (this == &other || !workspace) return *this;
+  if (workspace->gone.size() > Forecast::max_balls) {
+    workspace.reset();
+    return *this;
+  }
+  workspace->forecast.forget();
+  workspace->packed = {};  // it knows the radii of the balls it was built for
+  return *this;
+}
+
+Workspace& World::workspace() {
+  if (!owner_.workspace) owner_.workspace = std::make_shared<Workspace>();
+  return *owner_.workspace;
+}
+
+void World::changed() {
+  if (owner_.workspace) owner_.workspace->forecast.forget();
+}
+
+const Scene& World::scene() const { return fixed_->scene; }
 
 Result<World> World::create(Scene scene) {
   Errors errors = check(scene);
@@ -48,9 +74,10 @@ bool World::at_rest() const {
     if (squared >= surely_fast) return false;
     if (!(squared <= surely_slow) && length(balls_.velocity(i)) >= rest_speed) return false;
   }
-  if (scene_.hole_pull == 0) return true;
+  const Scene& scene = fixed_->scene;
+  if (scene.hole_pull == 0) return true;
   for (std::size_t i = lead_out_ ? 1 : 0; i < size(); ++i)
-    for (const Hole& hole : scene_.holes) {
+    for (const Hole& hole : scene.holes) {
       const double distance = length(hole.position - balls_.position(i));
       if (distance > 0 && distance < hole.radius) return false;
     }
@@ -65,6 +92,7 @@ Status World::set_velocity(std::size_t index, Vec2 velocity) {
                  .problem = MessageCode::is_too_fast,
                  .expected = {MessageCode::at_most_speed, {"100000"}}};
   balls_.set_velocity(index, velocity);
+  changed();
   return Done{};
 }
 
@@ -78,16 +106,19 @@ Status World::place_lead(Vec2 position) {
     return Error{.pointer = "position",
                  .problem = MessageCode::is_too_far,
                  .expected = {MessageCode::coordinates_from_to, {"-1000000000", "1000000000"}}};
-  if (auto error = obstruction_error(scene_, position, balls_.radius[0], "position")) return *error;
+  if (auto error = obstruction_error(fixed_->scene, position, balls_.radius[0], "position"))
+    return *error;
   balls_.set_position(0, position);
   balls_.set_velocity(0, {});
   balls_.set_acceleration(0, {});
   lead_out_ = false;
+  changed();
   return Done{};
 }
 
 void World::stop() {
   for (std::size_t i = 0; i < size(); ++i) balls_.set_velocity(i, {});
+  changed();
 }
 
 }  // namespace carom

@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
 
+#include "carom/version.hpp"
 #include "cli/options.hpp"
 #include "licences/licences.hpp"
 #include "tool/check.hpp"
@@ -13,35 +15,38 @@
 #include "tool/soak.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App carom{"A deterministic 2D ball-physics engine on the command line.", "carom"};
-  cli::show_failures(carom);
-  carom.require_subcommand(0, 1);
-  carom.footer(
+  CLI::App app{"A deterministic 2D ball-physics engine on the command line.", "carom"};
+  cli::show_failures(app);
+  app.require_subcommand(0, 1);
+  app.set_version_flag(
+      "--version", std::string("carom " CAROM_VERSION " (") + carom::vector_instructions() + ")",
+      "Print the version and the vector instructions used here, and exit");
+  app.footer(
       "Examples:\n"
       "  carom simulate scenes/break.json\n"
       "  carom check levels/*.json\n"
       "  carom simulate --help");
   bool licences = false;
-  carom.add_flag("--licences", licences, "Print the licences of this program and of its parts");
+  app.add_flag("--licences", licences, "Print the licences of this program and of its parts");
   int status = tool::done;
-  tool::add_simulate(carom, status);
-  tool::add_check(carom, status);
-  tool::add_replay(carom, status);
-  tool::add_shots(carom, status);
-  tool::add_soak(carom, status);
-  tool::add_level_link(carom, status);
-  tool::add_quadtree(carom, status);
+  tool::add_simulate(app, status);
+  tool::add_check(app, status);
+  tool::add_replay(app, status);
+  tool::add_shots(app, status);
+  tool::add_soak(app, status);
+  tool::add_level_link(app, status);
+  tool::add_quadtree(app, status);
   try {
-    carom.parse(argc, argv);
+    app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return carom.exit(error) == 0 ? tool::done : tool::wrong_usage;
+    return app.exit(error) == 0 ? tool::done : tool::wrong_usage;
   }
   if (licences) {
     std::fwrite(licences::text.data(), 1, licences::text.size(), stdout);
     return std::fflush(stdout) == 0 && !std::ferror(stdout) ? tool::done : tool::wrong_input;
   }
-  if (carom.get_subcommands().empty()) {
-    std::fputs(carom.help().c_str(), stderr);
+  if (app.get_subcommands().empty()) {
+    std::fputs(app.help().c_str(), stderr);
     return tool::wrong_usage;
   }
   return status;

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include "carom/event.hpp"
+#include "carom/internal/forecast.hpp"
 #include "carom/internal/packed_index.hpp"
 #include "carom/internal/quadtree_search.hpp"
 #include "carom/internal/row_pairs.hpp"
@@ -13,18 +14,11 @@
 
 namespace carom {
 
-struct Box {
-  Vec2 low;
-  Vec2 high;
-};
-
-/// A large part of the play area in which no ball's centre is in a hole.
-Box hole_free_box(const Scene& scene);
-
 /// Buffers that World::step keeps from call to call to save allocations. Not part of the state.
 struct Workspace {
+  std::vector<Event> events;  ///< of the last step
+  Forecast forecast;
   std::vector<std::uint8_t> gone;  ///< by index: went out of play in this sub-step
-  std::optional<Box> hole_free;
   PackedIndex packed;
   QuadtreeIndex tree;
   RowPairsBuffers rows;

@@ -1,4 +1,4 @@
-#include "carom/internal/workspace.hpp"
+#include "carom/internal/fixed_parts.hpp"
 
 #include <algorithm>
 #include <array>
