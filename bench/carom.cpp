@@ -11,14 +11,10 @@ class Carom final : public Simulator {
  public:
   explicit Carom(carom::World world) : world_(std::move(world)) {}
 
-  void advance(int steps) override {
-    for (int n = 0; n < steps; ++n) world_.step();
-  }
+  void advance(int steps) override { world_.run({}, static_cast<std::uint64_t>(steps)); }
 
   int run_until_rest(int limit) override {
-    int steps = 0;
-    for (; steps < limit && !world_.at_rest(); ++steps) world_.step();
-    return steps;
+    return static_cast<int>(world_.run({.rest = true}, static_cast<std::uint64_t>(limit)).steps);
   }
 
   std::vector<carom::Ball> balls() const override {
@@ -62,6 +58,12 @@ std::unique_ptr<Simulator> with_broad_phase(const carom::Scene& start) {
 
 std::unique_ptr<Simulator> make_carom(const carom::Scene& start, const Workload&) {
   return std::make_unique<Carom>(world_of(start));
+}
+
+std::unique_ptr<Simulator> make_carom_never_skip(const carom::Scene& start, const Workload&) {
+  carom::World world = world_of(start);
+  world.set_skipping(false);
+  return std::make_unique<Carom>(std::move(world));
 }
 
 std::unique_ptr<Simulator> make_carom_pairs(const carom::Scene& start, const Workload&) {

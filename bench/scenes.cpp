@@ -4,8 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <stdexcept>
 
+#include "carom/scene_file.hpp"
+#include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
 #include "soak/random.hpp"
 
@@ -84,6 +90,30 @@ std::vector<Scene> random_shots(int balls, bool holes) {
   shots.reserve(shots_in_a_row);
   for (int n = 0; n < shots_in_a_row; ++n) shots.push_back(random_shot(balls, holes, random));
   return shots;
+}
+
+/// Breaks of the rack towards its half of the table.
+std::vector<Scene> random_breaks() {
+  Random random(5);
+  std::vector<Scene> shots(50, games::billiards::rack());
+  for (Scene& scene : shots) {
+    Vec2& velocity = scene.balls[0].velocity;
+    velocity = random.uniform(600, 2000) * direction(random);
+    velocity.x = std::abs(velocity.x);
+  }
+  return shots;
+}
+
+/// Throws of a level's projectile in any direction.
+std::vector<Scene> random_throws(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const auto level = carom::read_scene(std::string(std::istreambuf_iterator<char>(stream), {}));
+  if (!level) throw std::runtime_error(carom::to_string(level.errors().front(), file.string()));
+  Random random(7);
+  std::vector<Scene> throws(10, level.value());
+  for (Scene& scene : throws)
+    scene.balls[0].velocity = random.uniform(200, 2000) * direction(random);
+  return throws;
 }
 
 constexpr double top_speed = 500;  // px/s
@@ -173,12 +203,12 @@ Workload shots(std::string name, int balls, bool holes) {
   return {.scene = std::move(name),
           .balls = balls,
           .starts = [=] { return random_shots(balls, holes); },
-          .has_holes = holes};
+          .ours_alone = holes};
 }
 
 }  // namespace
 
-std::vector<Workload> workloads() {
+std::vector<Workload> workloads(const std::filesystem::path& levels) {
   std::vector<Workload> all;
   all.push_back({.scene = "BREAK", .balls = 37, .starts = [] {
                    return std::vector<Scene>{break_without_holes()};
@@ -188,7 +218,19 @@ std::vector<Workload> workloads() {
   all.push_back({.scene = "BILLIARDS",
                  .balls = 37,
                  .starts = [] { return std::vector<Scene>{billiards_break()}; },
-                 .has_holes = true});
+                 .ours_alone = true});
+  all.push_back({.scene = "BREAKS", .balls = 37, .starts = random_breaks, .ours_alone = true});
+  all.push_back(shots("SCATTERED", 37, true));
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(levels))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::ranges::sort(files);
+  for (const std::filesystem::path& file : files)
+    all.push_back({.scene = "LEVEL-" + file.filename().string().substr(0, 2),
+                   .balls = static_cast<int>(random_throws(file).front().balls.size()),
+                   .starts = [file] { return random_throws(file); },
+                   .most_steps = games::angry_balls::offer_steps,
+                   .ours_alone = true});
   // Fewer steps for many balls, the same for every engine.
   const auto add = [&](const char* name, int balls, Scene (*build)(int), int warm_up, int steps,
                        bool big = false) {

@@ -32,9 +32,10 @@ using MakeSimulator = std::unique_ptr<Simulator>(const carom::Scene& start, cons
 
 // The contestants, each in a file of its name.
 MakeSimulator make_carom;
-MakeSimulator make_carom_pairs;     ///< every pair tested: the reference
-MakeSimulator make_carom_quadtree;  ///< even for a few balls
-MakeSimulator make_carom_1_thread;  ///< as make_carom, but timed by the clock on the wall
+MakeSimulator make_carom_never_skip;  ///< every step tested, also where surely nothing meets
+MakeSimulator make_carom_pairs;       ///< every pair tested: the reference
+MakeSimulator make_carom_quadtree;    ///< even for a few balls
+MakeSimulator make_carom_1_thread;    ///< as make_carom, but timed by the clock on the wall
 MakeSimulator make_carom_2_threads;
 MakeSimulator make_carom_4_threads;
 MakeSimulator make_chipmunk_tree;  ///< with its default, a tree of bounding boxes

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utf8cpp/utf8/core.h>
 #include <utility>
@@ -165,7 +166,10 @@ class Neighbours {
 class Checker {
  public:
   Checker(const Scene& scene, const std::function<void(Error)>& report)
-      : scene_(scene), report_(report) {}
+      : scene_(scene), report_([this, &report](Error error) {
+          sound_ = false;
+          report(std::move(error));
+        }) {}
 
   void run() {
     if (!arithmetic_is_exact() || !step_arithmetic_is_exact())
@@ -185,34 +189,39 @@ class Checker {
     });
     if (scene_.balls.size() <= max_balls && scene_.obstacles.size() <= max_fixtures &&
         scene_.holes.size() <= max_fixtures)
-      find_neighbours();
+      find_obstacles();
     each("/balls", scene_.balls, max_balls,
          [&](const Ball& ball, auto pointer) { check_ball(ball, pointer); });
+    if (sound_) check_heaps();
   }
 
  private:
   static Message is(double number) { return {MessageCode::is, {number_text(number)}}; }
 
-  void find_neighbours() {
-    const std::size_t balls = scene_.balls.size();
-    const std::size_t most = max_overlaps(balls);
-    if (balls * (balls - std::min<std::size_t>(balls, 1)) / 2 <= most &&
-        balls * scene_.holes.size() <= most && scene_.obstacles.empty())
-      return;
-    std::vector<std::uint32_t> sound;
+  // Of balls and obstacles whose numbers are sound.
+  void find_obstacles() {
+    if (!fixed_is_sound_ || scene_.obstacles.empty()) return;
+    std::vector<std::uint32_t> balls;
     for (const Ball& ball : scene_.balls)
-      if (is_sound(ball)) sound.push_back(static_cast<std::uint32_t>(&ball - scene_.balls.data()));
-    if (sound.empty()) return;
-    Neighbours neighbours(scene_, std::move(sound));
+      if (is_sound(ball)) balls.push_back(static_cast<std::uint32_t>(&ball - scene_.balls.data()));
+    if (!balls.empty()) first_obstacles_ = Neighbours(scene_, std::move(balls)).first_obstacles();
+  }
+
+  // Only of scenes that are sound otherwise.
+  void check_heaps() {
+    const std::size_t n = scene_.balls.size();
+    const std::size_t most = max_overlaps(n);
+    if (n == 0 || (n * (n - 1) / 2 <= most && n * scene_.holes.size() <= most)) return;
+    std::vector<std::uint32_t> balls(n);
+    std::iota(balls.begin(), balls.end(), 0U);
+    Neighbours neighbours(scene_, std::move(balls));
     const auto report = [&](MessageCode problem) {
       report_({.pointer = "/balls",
                .problem = {problem, {std::to_string(most)}},
                .expected = MessageCode::at_most_pairs});
     };
     if (neighbours.more_pairs_than(most)) report(MessageCode::has_overlapping_pairs);
-    if (!fixed_is_sound_) return;
     if (neighbours.more_in_holes_than(most)) report(MessageCode::has_balls_in_holes);
-    if (!scene_.obstacles.empty()) first_obstacles_ = neighbours.first_obstacles();
   }
 
   static bool is_sound(const Ball& ball) {
@@ -297,7 +306,8 @@ class Checker {
   }
 
   const Scene& scene_;
-  const std::function<void(Error)>& report_;
+  const std::function<void(Error)> report_;
+  bool sound_ = true;           // nothing was reported
   bool fixed_is_sound_ = true;  // whether it makes sense to say what a ball overlaps
   std::vector<std::uint32_t> first_obstacles_;  // by ball; empty if there are no obstacles
 };

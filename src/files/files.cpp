@@ -36,7 +36,8 @@ bool is_abandoned(const std::string& name, std::string_view ending) {
 
 carom::Result<std::string> read(const std::filesystem::path& path) {
   std::FILE* file = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
-  if (!file) return trouble(std::string("cannot be opened: ") + std::strerror(errno));
+  if (!file)
+    return carom::Error{.problem = {carom::MessageCode::cannot_be_opened, {std::strerror(errno)}}};
   std::string bytes;
   std::array<char, 1 << 16> buffer;
   std::size_t count = 0;

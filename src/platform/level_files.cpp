@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 app::Level unreadable(const fs::path& path, const std::error_code& error) {
   return app::read_level(
       path.filename().string(),
-      carom::Error{.pointer = {}, .problem = "cannot be opened: " + error.message()});
+      carom::Error{.pointer = {},
+                   .problem = {carom::MessageCode::cannot_be_opened, {error.message()}}});
 }
 
 }  // namespace

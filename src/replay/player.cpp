@@ -1,6 +1,7 @@
 #include "replay/player.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "carom/trace.hpp"
@@ -11,7 +12,7 @@ namespace replay {
 namespace {
 
 // The snapshots may hold this many balls, holes and obstacles in all, some two hundred bytes each.
-// From where that is used up on, seeking plays on from the last snapshot.
+// When that is used up, every other one is dropped: seeking plays on from the nearest before.
 constexpr std::size_t max_kept_things = 200'000;
 
 std::size_t things(const carom::World& world) {
@@ -92,26 +93,42 @@ bool Player::step() {
     if (shown_.time() == ahead_.time() && !advance_ahead() && shown_.time() == ahead_.time())
       return changed;
     stepped = shown_.steps_due > 0;
-    advance_shown();
+    advance(shown_);
     changed = true;
   }
   return changed;
 }
 
 bool Player::seek(std::size_t turn) {
-  if (turn > turns_.size()) return false;
+  return seek(turn, std::numeric_limits<std::uint64_t>::max()) == Sought::shown;
+}
+
+Sought Player::seek(std::size_t turn, std::uint64_t steps) {
+  if (turn > turns_.size()) return Sought::nowhere;
   if (turn == turns_.size()) {
-    while (advance_ahead()) {
-    }
-    shown_ = ahead_;
-    return true;
+    for (; steps > 0; --steps)
+      if (!advance_ahead()) {
+        shown_ = ahead_;
+        return Sought::shown;
+      }
+    return Sought::on_way;
   }
-  while (reached_turns_ <= turn)
-    if (!advance_ahead()) return false;
-  shown_ = kept_[std::min(turn, kept_.size() - 1)];
+  for (; reached_turns_ <= turn; --steps) {
+    if (steps == 0) return Sought::on_way;
+    if (!advance_ahead()) return Sought::nowhere;
+  }
   const std::uint64_t time = turns_[turn].first_move + turns_[turn].first_step;
-  while (shown_.time() < time) advance_shown();
-  return true;
+  if (!sought_ || sought_turn_ != turn) {
+    sought_ = kept_[std::min(turn / kept_each_, kept_.size() - 1)];
+    if (shown_.time() <= time && shown_.time() > sought_->time()) sought_ = shown_;
+    sought_turn_ = turn;
+  }
+  for (; sought_->time() < time; --steps) {
+    if (steps == 0) return Sought::on_way;
+    advance(*sought_);
+  }
+  shown_ = *std::exchange(sought_, std::nullopt);
+  return Sought::shown;
 }
 
 bool Player::look_ahead(std::uint64_t steps) {
@@ -154,42 +171,52 @@ bool Player::advance_ahead() {
 }
 
 // Only what advance_ahead() has found possible.
-void Player::advance_shown() {
-  if (shown_.steps_due == 0) {
-    const Move& move = replay_.moves[shown_.move];
-    static_cast<void>(apply_command(shown_.game, move.command));
-    ++shown_.move;
-    shown_.steps_due = move.steps;
+void Player::advance(Moment& moment) const {
+  if (moment.steps_due == 0) {
+    const Move& move = replay_.moves[moment.move];
+    static_cast<void>(apply_command(moment.game, move.command));
+    ++moment.move;
+    moment.steps_due = move.steps;
   } else {
-    replay::step(shown_.game);
-    ++shown_.step;
-    --shown_.steps_due;
+    replay::step(moment.game);
+    ++moment.step;
+    --moment.steps_due;
   }
 }
 
 void Player::begin_turn() {
   if (const auto* game = std::get_if<games::billiards::Game>(&ahead_.game))
     turns_[reached_turns_].player = game->player();
-  if (reached_turns_ == kept_.size() && kept_things_ <= max_kept_things) {
-    kept_.push_back(ahead_);
-    kept_things_ += things(world(ahead_.game));
-  }
+  if (reached_turns_ == kept_.size() * kept_each_) keep();
   ++reached_turns_;
+}
+
+void Player::keep() {
+  kept_.push_back(ahead_);
+  kept_things_ += things(world(ahead_.game));
+  if (kept_things_ <= max_kept_things || kept_.size() < 3) return;
+  std::vector<Moment> fewer;
+  for (std::size_t n = 0; n < kept_.size(); n += 2) fewer.push_back(std::move(kept_[n]));
+  kept_ = std::move(fewer);
+  kept_each_ *= 2;
+  kept_things_ = 0;
+  for (const Moment& moment : kept_) kept_things_ += things(world(moment.game));
 }
 
 // Known at the end of a move: the hash, at the end of the game the score too.
 void Player::compare() {
   const Moment& moment = ahead_;
+  const std::uint64_t hash = world(moment.game).state_hash();
   if (moment.move > 0) {
     const std::size_t move = moment.move - 1;
     const bool is_short = replay_.short_hashes && moment.move < replay_.moves.size();
     const std::uint64_t mask = is_short ? short_hash_mask : ~std::uint64_t{0};
     const std::uint64_t expected = replay_.moves[move].hash & mask;
-    const std::uint64_t got = world(moment.game).state_hash() & mask;
+    const std::uint64_t got = hash & mask;
     if (expected != got) {
-      const auto text = [&](std::uint64_t hash) {
+      const auto text = [&](std::uint64_t shown) {
         return "hash " + std::string(is_short ? "…" : "") +
-               carom::hash_text(hash).substr(is_short ? 14 : 0);
+               carom::hash_text(shown).substr(is_short ? 14 : 0);
       };
       return diverge(text(expected), text(got));
     }
@@ -199,6 +226,14 @@ void Player::compare() {
     return diverge(score_text(replay_.score, replay_.kind()),
                    score_text(points_made, replay_.kind()));
   right_step_ = moment.step;
+  if (moment.move > 0) hashes_.push_back(hash);
+}
+
+Replay Player::with_full_hashes() const {
+  Replay replay = replay_;
+  for (std::size_t move = 0; move < hashes_.size(); ++move) replay.moves[move].hash = hashes_[move];
+  replay.short_hashes = false;
+  return replay;
 }
 
 void Player::diverge(std::string expected, std::string got) {
@@ -216,21 +251,13 @@ carom::Result<Player> verify(Replay replay) {
 }
 
 carom::Result<Replay> with_full_hashes(Replay replay) {
-  const auto player = verify(replay);
+  const auto player = verify(std::move(replay));
   if (!player) return player.errors();
   if (player.value().divergence())
     return carom::Error{
         .problem = {carom::MessageCode::has_diverged,
                     {to_string(*player.value().divergence(), player.value().turns().size())}}};
-  if (!replay.short_hashes) return replay;
-  AnyGame game = start(replay).value();
-  for (Move& move : replay.moves) {
-    static_cast<void>(apply_command(game, move.command));
-    for (std::uint64_t n = 0; n < move.steps; ++n) step(game);
-    move.hash = world(game).state_hash();
-  }
-  replay.short_hashes = false;
-  return replay;
+  return player.value().with_full_hashes();
 }
 
 }  // namespace replay

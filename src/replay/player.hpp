@@ -39,6 +39,13 @@ struct Divergence {
 /// known, else 0.
 std::string to_string(const Divergence& divergence, std::size_t turns);
 
+/// What came of a part of the way to a turn.
+enum class Sought : std::uint8_t {
+  shown,    ///< there now
+  on_way,   ///< go on; what is shown has not changed
+  nowhere,  ///< there is no such turn, or the game diverges before it; nothing has changed
+};
+
 /// Plays a replay: shows the game at any step, and goes to any turn at once. It looks ahead of what
 /// it shows; what the look-ahead has passed is verified.
 class Player {
@@ -63,6 +70,9 @@ class Player {
   /// can be played. Looks ahead as far as needed. False, and nothing has changed, where there is no
   /// such turn.
   bool seek(std::size_t turn);
+  /// The same in parts, of at most this many steps: to be called again until it is there. To ask
+  /// for another turn in between is fine.
+  Sought seek(std::size_t turn, std::uint64_t steps);
 
   /// Looks ahead by this many steps, each command counted as one. False when that reached the end,
   /// or the divergence.
@@ -73,6 +83,10 @@ class Player {
   std::size_t reached_turns() const { return reached_turns_; }
   /// Known once the look-ahead has met it: nothing is shown beyond it.
   const std::optional<Divergence>& divergence() const { return divergence_; }
+
+  /// The replay with all bits of all hashes. Only once the look-ahead has reached the end without
+  /// divergence.
+  Replay with_full_hashes() const;
 
  private:
   struct Moment {
@@ -88,7 +102,8 @@ class Player {
   Player(Replay replay, AnyGame game);
   bool at_end(const Moment& moment) const;
   bool advance_ahead();
-  void advance_shown();
+  void advance(Moment& moment) const;
+  void keep();
   void begin_turn();
   void compare();
   void diverge(std::string expected, std::string got);
@@ -98,9 +113,13 @@ class Player {
   std::size_t reached_turns_ = 0;
   Moment shown_;
   Moment ahead_;
-  std::vector<Moment> kept_;      // at the starts of the first turns, as many as fit
+  std::vector<Moment> kept_;      // at the starts of the turns 0, kept_each_, 2·kept_each_, …
+  std::size_t kept_each_ = 1;     // doubled when there are too many
   std::size_t kept_things_ = 0;   // in all of them
-  std::uint64_t right_step_ = 0;  // ahead_.step when it was last found right
+  std::optional<Moment> sought_;  // on the way to the start of a turn
+  std::size_t sought_turn_ = 0;
+  std::vector<std::uint64_t> hashes_;  // after each move that the look-ahead has passed
+  std::uint64_t right_step_ = 0;       // ahead_.step when it was last found right
   std::optional<Divergence> divergence_;
 };
 

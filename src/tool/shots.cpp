@@ -3,19 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,6 +20,7 @@
 #include "carom/rollouts.hpp"
 #include "carom/trace.hpp"
 #include "carom/world.hpp"
+#include "cli/options.hpp"
 #include "files/files.hpp"
 #include "games/play_out.hpp"
 #include "json/number_text.hpp"
@@ -242,26 +240,6 @@ void print_json(const ShotsOptions& options, const Summary& summary, std::FILE* 
   std::fprintf(out, "%s\n", all.dump().c_str());
 }
 
-/// Adds an option that takes a whole number in decimal digits and nothing else.
-template <class Number>
-CLI::Option* add_whole(CLI::App& app, const std::string& name, Number& number,
-                       const std::string& description, std::uint64_t least = 0,
-                       std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-  return app.add_option_function<std::string>(
-      name,
-      [&number, name, least, most](const std::string& text) {
-        std::uint64_t read = 0;
-        const char* end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(text.data(), end, read);
-        if (stop != end || error != std::errc() || read < least || read > most)
-          throw CLI::ValidationError(name, "is \"" + text + "\"; expected a whole number from " +
-                                               std::to_string(least) + " to " +
-                                               std::to_string(most));
-        number = static_cast<Number>(read);
-      },
-      description);
-}
-
 int shots(const ShotsOptions& options) {
   auto scene = read_scene_file(options.scene);
   if (!scene) return report(scene.errors(), options.scene);
@@ -302,13 +280,13 @@ void add_shots(CLI::App& carom, int& status) {
   command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")
       ->required()
       ->option_text("SCENE");
-  add_whole(*command, "--count", options->count, "How many launches", 1, most_launches)
+  cli::add_whole(*command, "--count", options->count, "How many launches", 1, most_launches)
       ->option_text("N [1000]");
-  add_whole(*command, "--seed", options->seed,
-            "Chooses them; with the same seed, fewer are the first of more")
+  cli::add_whole(*command, "--seed", options->seed,
+                 "Chooses them; with the same seed, fewer are the first of more")
       ->option_text("S [1]");
-  add_whole(*command, "--threads", options->threads,
-            "How many threads play. It changes the speed only", 1, carom::max_threads)
+  cli::add_whole(*command, "--threads", options->threads,
+                 "How many threads play. It changes the speed only", 1, carom::max_threads)
       ->option_text("T [1]");
   command->add_flag("--no-skip", options->no_skip,
                     "Test every step, also where surely nothing meets. It changes the speed only");

@@ -27,8 +27,10 @@ TEST(LevelFault, IsToldInThePlayersLanguage) {
   EXPECT_EQ(in_french(""), "a.json:1:1: est vide");
   EXPECT_EQ(app::problem_of(app::Words(Language::fr), app::shipped_levels()[0]), "");
   EXPECT_EQ(
-      app::problem_of(app::Words(Language::fr),
-                      app::read_level("b.json", carom::Error{.problem = "cannot be opened: x"})),
+      app::problem_of(
+          app::Words(Language::fr),
+          app::read_level("b.json",
+                          carom::Error{.problem = {carom::MessageCode::cannot_be_opened, {"x"}}})),
       "b.json: ne s’ouvre pas");
 }
 

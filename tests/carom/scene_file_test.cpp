@@ -349,16 +349,16 @@ Scene any_sound_scene() {
   scene.friction = any_number(least, 1);
   scene.gravity = any_number(0, max_quantity);
   scene.hole_pull = any_number(0, max_quantity);
-  scene.damage_per_speed = any_number(0, std::numeric_limits<double>::max());
+  scene.damage_per_speed = any_number(0, max_quantity);
   scene.damage_threshold = any_number(0, std::numeric_limits<double>::max());
   scene.throws = *rc::gen::inRange(1, max_throws + 1);
   for (int i = some(); i > 0; --i)
     scene.holes.push_back({.position = {any_number(-max_quantity, max_quantity), any_number(0, 9)},
-                           .radius = any_number(least, max_quantity)});
+                           .radius = any_number(min_size, max_quantity)});
   for (int i = some(); i > 0; --i)  // left of all balls
     scene.obstacles.push_back({.x = any_number(-max_quantity, -100),
-                               .height = any_number(least, max_quantity),
-                               .radius = any_number(least, 50)});
+                               .height = any_number(min_size, max_quantity),
+                               .radius = any_number(min_size, 50)});
   for (int i = some(); i > 0; --i) {
     Role role = static_cast<Role>(*rc::gen::inRange(0, 5));
     if (!scene.balls.empty() && is_lead(role)) role = Role::red;
@@ -366,7 +366,7 @@ Scene any_sound_scene() {
         {.role = role,
          .position = {any_number(20, scene.width - 20), any_number(20, scene.height - 20)},
          .velocity = {any_number(-7e4, 7e4), any_number(-7e4, 7e4)},
-         .radius = any_number(least, 10),
+         .radius = any_number(min_size, 10),
          .solidity = *rc::gen::arbitrary<bool>()
                          ? infinite_solidity
                          : any_number(0, std::numeric_limits<double>::max())});

@@ -223,7 +223,8 @@ void ReplayScreen::go_where_wanted() {
   if (!wanted_) return;
   const bool is_end = *wanted_ >= player_.reached_turns();
   if (is_end && !complete_) return;
-  player_.seek(is_end ? player_.turns().size() : *wanted_);
+  const std::size_t turn = is_end ? player_.turns().size() : *wanted_;
+  if (player_.seek(turn, steps_at_once(player_)) == replay::Sought::on_way) return;
   wanted_.reset();
   ended_ = is_end;
   if (ended_) playing_ = false;
@@ -264,16 +265,22 @@ Transition ReplayScreen::iterate(nanoseconds elapsed) {
   return Transition::stay;
 }
 
-bool ReplayScreen::animating() const { return playing_ || !complete_ || effects_.active(); }
+bool ReplayScreen::animating() const {
+  return playing_ || !complete_ || wanted_ || effects_.active();
+}
 
 void ReplayScreen::save() {
-  const replay::Replay& replay = player_.replay();
   // The hashes that a text leaves out come from playing it.
-  if (replay.short_hashes && !complete_) {
+  const bool is_short = player_.replay().short_hashes;
+  if (is_short && !complete_) {
     message_ = words_(Text::verifying);
     return;
   }
-  const auto name = session_.saved.save(replay);
+  if (is_short && player_.divergence()) {
+    message_ = words_(Text::replay_not_saved);
+    return;
+  }
+  const auto name = session_.saved.save(is_short ? player_.with_full_hashes() : player_.replay());
   message_ = name ? words_(Text::replay_saved, {name.value()}) : words_(Text::replay_not_saved);
 }
 
