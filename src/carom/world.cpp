@@ -59,6 +59,7 @@ void World::changed() {
 const Scene& World::scene() const { return fixed_->scene; }
 
 Result<World> World::create(Scene scene) {
+  const ExactArithmetic exact;
   Errors errors = check(scene);
   if (!errors.empty()) return errors;
   return World(std::move(scene));

@@ -186,7 +186,7 @@ TEST(AngryBalls, TheIthBallOfATurnMakes100TimesI) {
     scene.balls.push_back(ball(carom::Role::neutral, {x, 10}, 50));
   Game game = start(scene);
   ASSERT_TRUE(game.apply(Throw{{200, -60}}));
-  int points = 0;
+  std::int64_t points = 0;
   int balls = 0;
   while (game.phase() == Phase::fly) {
     game.step();
@@ -206,7 +206,7 @@ TEST(AngryBalls, EveryThrowCountsFrom100Anew) {
   for (const double x : {300.0, 400.0})
     scene.balls.push_back(ball(carom::Role::neutral, {x, 10}, 50));
   Game game = start(scene);
-  std::vector<int> points;
+  std::vector<std::int64_t> points;
   for (const Throw shot : {at_enemy, Throw{{200, -80}}, Throw{{100, -40}}, Throw{{100, -60}}}) {
     if (game.phase() == Phase::offer) {
       ASSERT_TRUE(game.apply(Next{}));

@@ -199,7 +199,7 @@ TEST(Billiards, TheIthBallOfATurnMakes100TimesI) {
   for (int n = 0; n < 40; ++n) {
     Game game;
     player.command(game);
-    int points = 0;
+    std::int64_t points = 0;
     int balls = 0;
     for (const auto& event : roll(game)) {
       if (event.kind != EventKind::scored) continue;
@@ -318,7 +318,7 @@ TEST(Billiards, TheTurnPassesAsAgreedAndEverythingIsCounted) {
       const int shooter = game.player();
       Tally& tally = counted[static_cast<std::size_t>(shooter)];
       ++tally.shots;
-      int points = 0;
+      std::int64_t points = 0;
       int balls = 0;
       bool foul = false;
       for (const auto& event : roll(game)) {

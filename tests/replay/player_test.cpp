@@ -37,7 +37,7 @@ TEST(Player, KnowsTheTurnsOfBilliards) {
   EXPECT_EQ(turns[1].player, 1);
   EXPECT_EQ(turns[2].player, 0);
   EXPECT_EQ(turns[2].score, replay.score);
-  int points = 0;
+  std::int64_t points = 0;
   for (const replay::Turn& turn : turns) points += turn.points;
   EXPECT_EQ(points, replay.score[0] + replay.score[1]);
 }
