@@ -17,11 +17,12 @@ struct Range {
 };
 
 // Unicode's controls, line and paragraph separators, and format characters; of the latter not the
-// joiners U+200C and U+200D, which scripts and emoji need.
+// joiners U+200C and U+200D, which scripts and emoji need. Fillers that show nothing, too.
 constexpr Range not_shown[] = {
-    {0x00, 0x1f},     {0x7f, 0x9f},       {0xad, 0xad},     {0x61c, 0x61c},   {0x180e, 0x180e},
-    {0x200b, 0x200b}, {0x200e, 0x200f},   {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff},
-    {0xfff9, 0xfffb}, {0xe0000, 0xe007f}, {0xfdd0, 0xfdef}, {0xfffe, 0xffff},
+    {0x00, 0x1f},       {0x7f, 0x9f},     {0xad, 0xad},     {0x34f, 0x34f},   {0x61c, 0x61c},
+    {0x115f, 0x1160},   {0x180e, 0x180e}, {0x3164, 0x3164}, {0xffa0, 0xffa0}, {0x200b, 0x200b},
+    {0x200e, 0x200f},   {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff}, {0xfff9, 0xfffb},
+    {0xe0000, 0xe007f}, {0xfdd0, 0xfdef}, {0xfffe, 0xffff},
 };
 
 struct Character {
@@ -54,9 +55,10 @@ void append_code(std::string& out, char kind, std::uint32_t code) {
 
 }  // namespace
 
-std::string display_text(std::string_view text) {
+std::string display_text(std::string_view text, std::size_t most) {
   std::string out;
-  while (!text.empty()) {
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    if (count == most) return out + "…";
     const auto [code, size] = first_character(text);
     const bool hidden = std::any_of(
         std::begin(not_shown), std::end(not_shown),

@@ -27,6 +27,15 @@ inline void show_failures(CLI::App& app) {
                              "is \"" + carom::display_text(text) + "\"; expected " + expected);
 }
 
+/// Refuses an empty text where a file is to be named: what a script's unset variable gives.
+inline CLI::Validator file_name() {
+  return {[](const std::string& name) {
+            return name.empty() ? std::string("is empty; expected the name of a file")
+                                : std::string();
+          },
+          {}};
+}
+
 /// Adds an option that takes a whole number from `least` to `most`, by read_whole() and not as
 /// CLI11 reads numbers: it takes octal, hexadecimal, empty and negative ones. `Number` may be an
 /// integer or an optional of one.

@@ -11,15 +11,23 @@
 /// them.
 namespace files {
 
-/// The bytes of a file; "-" is standard input. Refuses what cannot be read and what is larger than
-/// max_file_size.
-carom::Result<std::string> read(const std::filesystem::path& path);
-
 inline constexpr std::size_t max_file_size = std::size_t{2} << 30;  ///< bytes
+inline constexpr std::size_t max_small_file = std::size_t{16} << 20;  ///< bytes
 
-/// A file written so that its name never stands for half of it: the bytes go aside and take the
-/// name in commit(), after an fsync. Without commit() nothing has changed. "-" is standard output,
-/// written as it comes; so is a device or a pipe.
+/// The bytes of a file; "-" is standard input. Refuses what cannot be read and what is larger than
+/// `most` bytes, a file before it is read.
+carom::Result<std::string> read(const std::filesystem::path& path,
+                                std::size_t most = max_file_size);
+
+/// The same of a text. Ends early at a zero byte, which no text has and every reader refuses, so
+/// that nobody waits for the rest of /dev/zero.
+carom::Result<std::string> read_text(const std::filesystem::path& path,
+                                     std::size_t most = max_file_size);
+
+/// A file of the game's own folder, written so that its name never stands for half of it: the bytes
+/// go aside and take the name in commit(), after an fsync, with the permissions of the old file.
+/// Without commit() nothing has changed. Refuses what is no file. What the player names is written
+/// by Output instead.
 class Writer {
  public:
   explicit Writer(std::filesystem::path path);
@@ -30,8 +38,7 @@ class Writer {
   /// After an error the rest does nothing; commit() tells.
   void write(std::string_view bytes);
   carom::Status commit();
-  /// The same, but never in the place of another file: false when the name is taken. For a path
-  /// that is no device, pipe or "-".
+  /// The same, but never in the place of another file: false when the name is taken.
   carom::Result<bool> commit_new();
 
  private:
@@ -39,7 +46,7 @@ class Writer {
   void flush();
 
   std::filesystem::path path_;
-  std::filesystem::path aside_;  ///< empty when written directly
+  std::filesystem::path aside_;  ///< empty when it could not be made, and once it has the name
   std::FILE* file_ = nullptr;
   std::string error_;
 };

@@ -3,131 +3,262 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "carom/arithmetic.hpp"
 #include "carom/world.hpp"
 #include "games/launch.hpp"
+#include "games/settling.hpp"
 
 namespace games::angry_balls {
 
 namespace {
 
-constexpr int settle_steps = 10 * carom::steps_per_second;
-constexpr double moved_distance = 1;  // px
-
 // The fan of throws: every 5° around, ten strengths, each watched for up to six seconds.
-constexpr int directions = 72;
+constexpr std::size_t directions = 72;
 constexpr int strengths = 10;
-constexpr int watched_steps = 6 * carom::steps_per_second;
+constexpr std::uint64_t watched_steps = 6 * carom::steps_per_second;
+// One after the other they lie far apart, in case that not all are tried. Coprime to `directions`.
+constexpr std::size_t direction_stride = 29;
+
+// A throw is over, for a player, when all is slow; so long it may take.
+constexpr std::uint64_t longest_throw = 60 * carom::steps_per_second;
+
+// Work is measured, and told, after so many steps.
+constexpr std::uint64_t steps_at_a_time = 25;
+
+// Below this a throw of full strength, 20 px a step, is through before anything is to be seen.
+constexpr double least_side = 100;  // px
 
 std::string ball_pointer(std::size_t id) { return "/balls/" + std::to_string(id); }
 
-void warn_of_restless_balls(const carom::Scene& level, carom::Errors& warnings) {
-  // Without the projectile, which hangs at the launch place until it is thrown.
-  carom::Scene settled = level;
-  settled.balls.erase(settled.balls.begin());
-  auto created = carom::World::create(settled);
-  if (!created) return;
-  carom::World& world = created.value();
-  for (int step = 0; step < settle_steps; ++step) world.step();
-  std::vector<bool> present(settled.balls.size());
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    const carom::Ball ball = world.ball(i);
-    present[ball.id] = true;
-    const double distance = carom::length(ball.position - settled.balls[ball.id].position);
-    if (distance > moved_distance)
-      warnings.push_back({.pointer = ball_pointer(ball.id + 1),
-                          .problem = "moves " + std::to_string(std::lround(distance)) +
-                                     " px by itself before anything is thrown",
-                          .expected = "a ball at rest: on the floor, on a cap or right above "
-                                      "another ball"});
-  }
-  for (std::size_t id = 0; id < present.size(); ++id)
-    if (!present[id])
-      warnings.push_back({.pointer = ball_pointer(id + 1),
-                          .problem = "is lost by itself before anything is thrown",
-                          .expected = "a ball that stays until it is hit"});
+std::string rounded(double px) {
+  return px < 10 ? std::to_string(std::lround(px * 10) / 10) + "." +
+                       std::to_string(std::lround(px * 10) % 10)
+                 : std::to_string(std::lround(std::min(px, 1e15)));
 }
 
-void warn_of_launch_place(const carom::Scene& level, carom::Errors& warnings) {
-  const carom::Ball& projectile = level.balls[0];
-  for (std::size_t id = 1; id < level.balls.size(); ++id) {
-    const carom::Ball& ball = level.balls[id];
-    if (carom::length(ball.position - projectile.position) < ball.radius + projectile.radius)
-      warnings.push_back({.pointer = ball_pointer(id),
-                          .problem = "lies on the launch place",
-                          .expected = "a place clear of the projectile"});
+class Checker {
+ public:
+  Checker(const carom::Scene& level, std::uint64_t budget, const std::function<void(double)>& tell)
+      : level_(level), budget_(budget), tell_(tell) {}
+
+  LevelReport report() {
+    scale();
+    launch_place();
+    const auto created = carom::World::create(level_);
+    if (!created) return std::move(report_);
+    restless_balls();
+    endless_throw(created.value());
+    unreachable_enemies(created.value());
+    if (more_ > 0)
+      report_.warnings.push_back({.problem = "and " + std::to_string(more_) + " more of the kind"});
+    if (!report_.complete)
+      report_.warnings.push_back({.problem = "is too large to try everything: the budget of " +
+                                             std::to_string(budget_ / 1'000'000) +
+                                             " million ball-steps is used up after " +
+                                             std::to_string(throws_) + " of " +
+                                             std::to_string(directions * strengths) + " throws",
+                                  .expected = "fewer balls, or a look at what was not tried"});
+    return std::move(report_);
   }
-  if (projectile.solidity != carom::infinite_solidity)
-    warnings.push_back({.pointer = "/balls/0/solidity",
-                        .problem = "has no effect",
-                        .expected = "no solidity: a projectile's is infinite"});
-}
 
-// The directions of the fan. cos and sin are no part of the rules' arithmetic (their bits may
-// differ between machines), so a rotation is repeated instead.
-std::array<carom::Vec2, directions> fan() {
-  constexpr double cos_5_degrees = 0.99619469809174555;
-  constexpr double sin_5_degrees = 0.08715574274765817;
-  std::array<carom::Vec2, directions> made;
-  carom::Vec2 u{1, 0};
-  for (carom::Vec2& direction : made) {
-    direction = u;
-    u = {u.x * cos_5_degrees - u.y * sin_5_degrees, u.x * sin_5_degrees + u.y * cos_5_degrees};
+ private:
+  void warn(std::string pointer, std::string problem, std::string expected) {
+    if (report_.warnings.size() < carom::max_errors)
+      report_.warnings.push_back({std::move(pointer), std::move(problem), std::move(expected)});
+    else
+      ++more_;
   }
-  return made;
-}
 
-void warn_of_unreachable_enemies(const carom::Scene& level, carom::Errors& warnings) {
-  std::vector<bool> reached(level.balls.size());
-  std::size_t waiting = 0;
-  for (const carom::Ball& ball : level.balls) waiting += ball.role == carom::Role::enemy;
+  bool spend(std::uint64_t work) {
+    work_ += work;
+    if (tell_) tell_(std::min(static_cast<double>(work_) / static_cast<double>(budget_), 1.0));
+    return work_ <= budget_;
+  }
 
-  const auto created = carom::World::create(level);
-  if (!created) return;
-  const auto reach = [&](std::uint32_t id) {
-    if (reached[id] || level.balls[id].role != carom::Role::enemy) return;
-    reached[id] = true;
-    --waiting;
-  };
-  for (const carom::Vec2 direction : fan()) {
-    for (int strength = strengths; strength >= 1; --strength) {
-      carom::World world = created.value();
-      const double drag = max_launch_speed / launch_factor * strength / strengths;
-      if (!launch(world, direction * drag)) continue;
-      for (int step = 0; step < watched_steps && waiting > 0; ++step) {
-        for (const carom::Event& event : world.step()) {
-          // An indestructible enemy must be driven out; of any other a wound is enough, because
-          // there are more throws.
-          const bool lost = event.kind == carom::EventKind::left ||
-                            event.kind == carom::EventKind::pocketed ||
-                            event.kind == carom::EventKind::destroyed;
-          if (lost || event.kind == carom::EventKind::damage) reach(event.ball);
-        }
-      }
-      if (waiting == 0) return;
+  // Runs until an event of the given kinds, for `steps` at most; calls sink with every event.
+  // False when the budget is used up.
+  template <class Sink>
+  bool run(carom::World& world, const carom::Until& until, std::uint64_t steps, Sink sink) {
+    while (steps > 0) {
+      const std::uint64_t work = work_of_step(world);
+      const carom::RunEnd end = world.run(until, std::min(steps, steps_at_a_time),
+                                          [&](std::uint64_t, std::span<const carom::Event> events) {
+                                            for (const carom::Event& event : events) sink(event);
+                                          });
+      if (!spend(work * std::max<std::uint64_t>(end.steps, 1))) return false;
+      steps -= end.steps;
+      if (end.why != carom::RunEnd::Why::steps) return true;
     }
+    return true;
   }
-  for (std::size_t id = 0; id < level.balls.size(); ++id)
-    if (level.balls[id].role == carom::Role::enemy && !reached[id])
-      warnings.push_back({.pointer = ball_pointer(id),
-                          .problem = "could not be hurt, pocketed or driven out by any of " +
-                                     std::to_string(directions * strengths) + " throws tried",
-                          .expected = "an enemy within reach"});
-}
+
+  void scale() {
+    const double side = std::max(level_.width, level_.height);
+    if (side < least_side)
+      warn(
+          level_.width < level_.height ? "/height" : "/width",
+          "is " + rounded(side) + " px: a throw of full strength crosses it in " +
+              std::to_string(std::lround(std::ceil(side / (max_launch_speed * carom::time_step)))) +
+              " steps of 0.01 s",
+          "a level some hundred px wide; lengths are px, not metres");
+    // v² = 2·g·h at the bottom of the longest fall.
+    const double fall = std::sqrt(2 * level_.gravity * level_.height);
+    if (level_.gravity > 0 && fall < carom::rest_speed)
+      warn("/gravity",
+           "makes a ball that falls through the whole level no faster than " + rounded(fall) +
+               " px/s, which counts as standing still",
+           "some hundred px/s\xc2\xb2; at " + rounded(carom::rest_speed) +
+               " px/s a ball begins to count as moving");
+  }
+
+  void launch_place() {
+    const carom::Ball& projectile = level_.balls[0];
+    const carom::Vec2 at = projectile.position;
+    for (std::size_t i = 0; i < level_.holes.size(); ++i) {
+      const double distance = carom::length(level_.holes[i].position - at);
+      if (distance < level_.holes[i].radius)
+        warn("/balls/0",
+             std::string("lies within hole ") + std::to_string(i) +
+                 (distance <= level_.holes[i].radius - projectile.radius
+                      ? ": a throw is over as soon as it begins"
+                      : ", which pulls every throw"),
+             "a launch place outside of all holes");
+    }
+    if (at.x < -projectile.radius || at.x > level_.width + projectile.radius)
+      warn("/balls/0", "lies outside the level: the projectile is lost as soon as it is thrown",
+           "a launch place between 0 and the width");
+    for (std::size_t id = 1; id < level_.balls.size(); ++id) {
+      const carom::Ball& ball = level_.balls[id];
+      if (carom::length(ball.position - at) < ball.radius + projectile.radius)
+        warn(ball_pointer(id), "lies on the launch place", "a place clear of the projectile");
+    }
+    if (projectile.solidity != carom::infinite_solidity)
+      warn("/balls/0/solidity", "has no effect", "no solidity: a projectile's is infinite");
+  }
+
+  void restless_balls() {
+    // Without the projectile, which hangs at the launch place until it is thrown.
+    carom::Scene others = level_;
+    others.balls.erase(others.balls.begin());
+    auto created = carom::World::create(std::move(others));
+    if (!created) return;
+    // A third, so that throws are tried, too.
+    const Settling settling = look_ahead(std::move(created).value(), budget_ / 3);
+    spend(settling.work);
+    report_.complete = settling.complete;
+    std::size_t moving = 0;
+    for (const Restless& restless : settling.restless) {
+      moving += restless.lost ? 0 : 1;
+      if (restless.lost)
+        warn(ball_pointer(restless.ball + 1), "is lost by itself before anything is thrown",
+             "a ball that stays until it is hit");
+      else
+        warn(ball_pointer(restless.ball + 1),
+             "moves " + rounded_distance(restless.distance) +
+                 " px by itself before anything is thrown",
+             "a ball at rest: on the floor, on a cap or right above another ball");
+    }
+    if (settling.complete && !settling.at_rest && moving > 0)
+      warn({}, "does not come to rest by itself within 30 s: the next throw would never be offered",
+           "balls that come to rest");
+  }
+
+  static std::string rounded_distance(double px) { return std::to_string(std::lround(px)); }
+
+  // What a player meets first: a throw at 45° with half the strength.
+  void endless_throw(const carom::World& start) {
+    carom::World world = start;
+    if (!launch(world, {drag(5) * 0.70710678118654752, drag(5) * 0.70710678118654752})) return;
+    // A tenth at most: whether it ends is known only at its end.
+    const std::uint64_t most = work_ + budget_ / 10;
+    for (std::uint64_t steps = 0; steps < longest_throw; steps += steps_at_a_time) {
+      if (world.at_rest() || work_ > most) return;
+      if (!run(world, {.rest = true}, steps_at_a_time, [](const carom::Event&) {})) return;
+    }
+    if (!world.at_rest())
+      warn({}, "does not come to rest within 60 s after a throw: the next one is not offered",
+           "friction below 1, holes that are larger than the balls");
+  }
+
+  static double drag(int strength) {
+    return max_launch_speed / launch_factor * strength / strengths;
+  }
+
+  // The directions of the fan. cos and sin are no part of the rules' arithmetic (their bits may
+  // differ between machines), so a rotation is repeated instead.
+  static std::array<carom::Vec2, directions> fan() {
+    constexpr double cos_5_degrees = 0.99619469809174555;
+    constexpr double sin_5_degrees = 0.08715574274765817;
+    std::array<carom::Vec2, directions> made;
+    carom::Vec2 u{1, 0};
+    for (carom::Vec2& direction : made) {
+      direction = u;
+      u = {u.x * cos_5_degrees - u.y * sin_5_degrees, u.x * sin_5_degrees + u.y * cos_5_degrees};
+    }
+    return made;
+  }
+
+  void unreachable_enemies(const carom::World& start) {
+    std::vector<bool> reached(level_.balls.size());
+    std::size_t waiting = 0;
+    for (const carom::Ball& ball : level_.balls) waiting += ball.role == carom::Role::enemy;
+    // An indestructible enemy must be driven out; of any other a wound is enough, because there
+    // are more throws.
+    using carom::EventKind;
+    const carom::Until hit{.events = EventKind::left | EventKind::pocketed | EventKind::destroyed |
+                                     EventKind::damage};
+    const auto reach = [&](const carom::Event& event) {
+      if (!hit.events.has(event.kind) || reached[event.ball] ||
+          level_.balls[event.ball].role != carom::Role::enemy)
+        return;
+      reached[event.ball] = true;
+      --waiting;
+    };
+    const auto made = fan();
+    bool left = true;
+    for (std::size_t n = 0; n < directions * strengths && waiting > 0 && left; ++n) {
+      const carom::Vec2 direction = made[n * direction_stride % directions];
+      const auto strength =
+          strengths - static_cast<int>((n + n / directions) % static_cast<std::size_t>(strengths));
+      carom::World world = start;
+      ++throws_;
+      if (!launch(world, direction * drag(strength))) continue;
+      const std::uint64_t end = world.steps() + watched_steps;
+      while (left && waiting > 0 && world.steps() < end)
+        left = run(world, hit, end - world.steps(), reach);
+    }
+    report_.complete = report_.complete && left;
+    const std::string tried = (left ? "" : "the ") + std::to_string(throws_) + " throws tried";
+    for (std::size_t id = 0; id < level_.balls.size(); ++id)
+      if (level_.balls[id].role == carom::Role::enemy && !reached[id])
+        warn(ball_pointer(id), "could not be hurt, pocketed or driven out by any of " + tried,
+             "an enemy within reach");
+  }
+
+  const carom::Scene& level_;
+  std::uint64_t budget_;
+  const std::function<void(double)>& tell_;
+  LevelReport report_;
+  std::uint64_t work_ = 0;
+  std::size_t throws_ = 0;
+  std::size_t more_ = 0;  // warnings that found no room
+};
 
 }  // namespace
 
-carom::Errors level_warnings(const carom::Scene& level) {
+LevelReport level_report(const carom::Scene& level, std::uint64_t budget,
+                         const std::function<void(double)>& tell) {
   const carom::ExactArithmetic exact;
-  carom::Errors warnings;
-  warn_of_launch_place(level, warnings);
-  warn_of_restless_balls(level, warnings);
-  warn_of_unreachable_enemies(level, warnings);
-  return warnings;
+  return Checker(level, budget, tell).report();
 }
+
+carom::Errors level_warnings(const carom::Scene& level) { return level_report(level).warnings; }
 
 }  // namespace games::angry_balls

@@ -25,7 +25,8 @@ std::vector<app::Level> read_levels(const fs::path& file_or_folder) {
   if (!fs::is_directory(file_or_folder, error)) {
     if (fs::exists(file_or_folder, error) && !fs::is_regular_file(file_or_folder, error))
       return {unreadable(file_or_folder, std::make_error_code(std::errc::invalid_argument))};
-    return {app::read_level(file_or_folder.filename().string(), files::read(file_or_folder))};
+    return {app::read_level(file_or_folder.filename().string(),
+                            files::read_text(file_or_folder, files::max_small_file))};
   }
   std::vector<fs::path> found;
   fs::directory_iterator entry(file_or_folder, error);
@@ -38,7 +39,8 @@ std::vector<app::Level> read_levels(const fs::path& file_or_folder) {
   std::vector<app::Level> levels;
   levels.reserve(found.size());
   for (const fs::path& file : found)
-    levels.push_back(app::read_level(file.filename().string(), files::read(file)));
+    levels.push_back(
+        app::read_level(file.filename().string(), files::read_text(file, files::max_small_file)));
   if (error) levels.push_back(unreadable(file_or_folder, error));
   return levels;
 }

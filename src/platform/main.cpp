@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -14,10 +15,12 @@
 
 #include "cli/options.hpp"
 #include "files/files.hpp"
+#include "files/output.hpp"
 #include "licences/licences.hpp"
 #include "platform/data_folder.hpp"
 #include "platform/level_files.hpp"
 #include "platform/null_platform.hpp"
+#include "platform/png.hpp"
 #include "platform/sdl_platform.hpp"
 #include "replay/replay_file.hpp"
 
@@ -102,7 +105,7 @@ int report(const carom::Errors& errors, std::string_view file, int status) {
 int play_script(const Options& options, app::StartLanguage language,
                 std::optional<replay::Replay> replay) {
   const std::string name = options.script == "-" ? "<stdin>" : options.script;
-  const auto text = files::read(options.script);
+  const auto text = files::read_text(options.script, files::max_small_file);
   if (!text) return report(text.errors(), name, bad_input);
   const auto script = platform::parse_script(text.value());
   if (!script) return report(script.errors(), name, bad_input);
@@ -115,12 +118,19 @@ int play_script(const Options& options, app::StartLanguage language,
                               platform::read_levels(options.levels), store);
   if (folder) game.app().teach_beginners();
   if (replay) game.app().watch(std::move(*replay));
+  // What cannot be written is told before the play.
+  std::optional<platform::PngFile> picture;
+  if (!options.screenshot.empty()) {
+    picture.emplace(options.screenshot);
+    if (const auto status = picture->opened(); !status)
+      return report(status.errors(), {}, cannot_write);
+  }
   // Every line at once: who reads it may be waiting for it.
   const auto print = [](const std::string& line) { std::cout << line << std::endl; };
   if (const auto status = game.run(script.value(), print); !status)
     return report(status.errors(), {}, cannot_write);
-  if (!options.screenshot.empty())
-    if (const auto status = game.screenshot(options.screenshot); !status)
+  if (picture)
+    if (const auto status = picture->write(game.picture()); !status)
       return report(status.errors(), {}, cannot_write);
   std::cout << game.app().describe() << '\n';
   return done;
@@ -159,9 +169,8 @@ int play_in_window(const Options& options, app::StartLanguage language,
   return done;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The program but for what concerns its output as a whole.
+int run(int argc, char** argv) {
   Options options;
   CLI::App program("Angry Balls: billiards for two, and levels to break to pieces.", "angry-balls");
   cli::show_failures(program);
@@ -181,6 +190,7 @@ int main(int argc, char** argv) {
   program
       .add_option("--screenshot", options.screenshot,
                   "Write the script's last picture to FILE (PNG)")
+      ->check(cli::file_name())
       ->type_name("FILE")
       ->needs(script);
   program.add_option("--replay", options.replay, "Show the replay in FILE (\"-\": standard input)")
@@ -213,7 +223,7 @@ int main(int argc, char** argv) {
       app::language_of_locale(asked ? options.language : environment_locale()), asked);
   std::optional<replay::Replay> replay;
   if (!options.replay.empty()) {
-    const auto bytes = files::read(options.replay);
+    const auto bytes = files::read_text(options.replay, files::max_small_file);
     if (!bytes) return report(bytes.errors(), options.replay, bad_input);
     auto read = replay::read_replay(bytes.value());
     if (!read) return report(read.errors(), options.replay, bad_input);
@@ -221,4 +231,20 @@ int main(int argc, char** argv) {
   }
   if (!options.script.empty()) return play_script(options, language, std::move(replay));
   return play_in_window(options, language, std::move(replay));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  files::reserve_standard_descriptors();
+  int status = done;
+  try {
+    status = run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "angry-balls: there is not enough memory for this\n";
+    status = bad_input;
+  }
+  if (const auto written = files::finish_standard_output(); !written && status == done)
+    return report(written.errors(), "<standard output>", cannot_write);
+  return status;
 }

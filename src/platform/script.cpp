@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "carom/scene.hpp"
+#include "json/limits.hpp"
 
 namespace platform {
 namespace {
@@ -131,7 +132,7 @@ carom::Error wrong(std::string pointer, const json& value, std::string expected)
 }
 
 carom::Result<ScriptLine> parse_line(std::string_view text) {
-  const json line = json::parse(text, nullptr, false);
+  const json line = ::json::parse(text);
   if (line.is_discarded() || !line.is_object())
     return carom::Error{
         .pointer = {}, .problem = "is no JSON object", .expected = std::string(line_form)};

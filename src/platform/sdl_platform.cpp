@@ -236,7 +236,7 @@ class SdlWindow final : public GameWindow {
   bool open_dropped(char* path) {
     const std::filesystem::path file(path);
     SDL_free(path);
-    const auto bytes = files::read(file);
+    const auto bytes = files::read_text(file, files::max_small_file);
     if (bytes) app_.open_file(file.filename().string(), bytes.value());
     return bytes.ok();
   }

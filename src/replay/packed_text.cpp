@@ -102,6 +102,30 @@ carom::Error damaged_text(std::string problem, std::string_view what) {
           .expected = {carom::MessageCode::text_of_whole, {std::string(what)}}};
 }
 
+std::string pasted_text(std::string_view pasted) {
+  if (pasted.starts_with("\xEF\xBB\xBF")) pasted.remove_prefix(3);
+  for (const std::string_view key : {"#replay=", "#level="})
+    if (const std::size_t at = pasted.find(key); at != std::string_view::npos)
+      pasted.remove_prefix(at + key.size());
+  std::string text;
+  bool line_begins = true;
+  for (std::size_t i = 0; i < pasted.size(); ++i) {
+    const char c = pasted[i];
+    const bool line_ends =
+        i + 1 < pasted.size() && (pasted[i + 1] == '\r' || pasted[i + 1] == '\n');
+    if (c == '\r' || c == '\n') {
+      line_begins = true;
+    } else if (c == ' ' || c == '\t' || (c == '>' && (line_begins || i + 1 == pasted.size())) ||
+               (c == '=' && line_ends)) {
+      // No part of it.
+    } else {
+      text += c;
+      line_begins = false;
+    }
+  }
+  return text;
+}
+
 std::string pack(char version, std::string payload) {
   std::string bytes(1, version);
   const std::string packed = deflated(std::move(payload));
@@ -110,7 +134,8 @@ std::string pack(char version, std::string payload) {
   return to_base64url(bytes + packed);
 }
 
-carom::Result<std::string> unpack(std::string_view text, char version, std::string_view what) {
+carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what) {
+  const std::string text = pasted_text(pasted);
   using Code = carom::MessageCode;
   if (text.size() > max_text)
     return carom::Error{.problem = {Code::is_longer_than, {std::to_string(max_text)}},

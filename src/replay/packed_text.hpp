@@ -12,9 +12,14 @@ namespace replay {
 /// Letters, digits, '-' and '_' only. The packing depends on zlib's version.
 std::string pack(char version, std::string payload);
 
-/// The payload. Refuses a text that was not taken whole, or changed, or unpacks to more than
+/// The payload of what was pasted, by pasted_text(). Refuses a text that was not taken whole, or changed, or unpacks to more than
 /// max_bytes, and another version. `what` it is the text of, for messages: "a replay".
-carom::Result<std::string> unpack(std::string_view text, char version, std::string_view what);
+carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what);
+
+/// What a player pasted, made the text alone: of a whole link what is behind '#' and the name; with
+/// no byte order mark, white space, line ends of folded mail ("=" of quoted-printable included) or
+/// quotation marks ("> ") of a reply. Whatever else does not belong there stays, to be refused.
+std::string pasted_text(std::string_view pasted);
 
 /// "is damaged: …"
 carom::Error damaged_text(std::string problem, std::string_view what);

@@ -555,12 +555,11 @@ class Reader {
 }  // namespace
 
 carom::Result<Replay> read_replay(std::string_view bytes) {
-  const std::size_t begin = bytes.find_first_not_of(white_space);
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  const bool is_json =
-      begin == std::string_view::npos || bytes[begin] == '{' || bytes.starts_with(byte_order_mark);
-  if (is_json) return read_json(bytes);
-  return read_text(bytes.substr(begin, bytes.find_last_not_of(white_space) - begin + 1));
+  const std::size_t mark = bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  const std::size_t begin = bytes.find_first_not_of(white_space, mark);
+  const bool is_json = begin == std::string_view::npos || bytes[begin] == '{';
+  return is_json ? read_json(bytes) : read_text(bytes);
 }
 
 carom::Result<Replay> read_json(std::string_view json) {

@@ -8,7 +8,8 @@
 
 namespace replay {
 
-/// Reads a replay in either form, told apart by the first character; white space around is ignored.
+/// Reads a replay in either form, told apart by the first character. A text may be
+/// a whole link, or folded by a mail program (pasted_text()).
 carom::Result<Replay> read_replay(std::string_view bytes);
 
 /// Reads a replay from JSON (docs/formats.md). Refuses whatever is not exactly that, and whatever

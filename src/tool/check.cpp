@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "files/files.hpp"
 #include "games/angry_balls.hpp"
 #include "games/level_check.hpp"
+#include "tool/busy.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
 
@@ -19,12 +21,21 @@ namespace tool {
 namespace {
 
 int check(const std::string& path) {
-  const auto bytes = files::read(path);
-  if (!bytes) return report(bytes.errors(), path);
+  std::optional<Busy> busy("reading " + shown_name(path));
+  const auto bytes = files::read_text(path);
+  if (!bytes) {
+    busy.reset();
+    return report(bytes.errors(), path);
+  }
   const auto level = games::angry_balls::read_level(bytes.value());
+  busy.reset();
   if (!level) return report(level.errors(), path);
-  carom::Errors warnings = games::angry_balls::level_warnings(level.value());
-  for (carom::Error& warning : carom::locate(bytes.value(), std::move(warnings))) {
+  busy.emplace("trying " + shown_name(path));
+  games::angry_balls::LevelReport tried =
+      games::angry_balls::level_report(level.value(), games::angry_balls::level_check_budget,
+                                       [&busy](double part) { busy->set_part(part); });
+  busy.reset();
+  for (carom::Error& warning : carom::locate(bytes.value(), std::move(tried.warnings))) {
     warning.problem = "warning: " + carom::to_string(warning.problem);
     std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
   }
@@ -43,8 +54,10 @@ void add_check(CLI::App& carom, int& status) {
   command->footer(
       "Says \"ok\", or every error with line, column, pointer and what was expected. Warns of "
       "what\n"
-      "a player would hold against a sound level: balls that do not stay where they were put,\n"
-      "enemies that no throw can harm.\n"
+      "a player would hold against a sound level: balls that do not stay where they were put or\n"
+      "never come to rest, enemies that no throw can harm, lengths in metres. Large levels are "
+      "not\n"
+      "tried in full, and it says so.\n"
       "Exit status: 0 all levels are sound, warnings or not; 1 some are not, or cannot be read; 2\n"
       "wrong usage.\n\n"
       "Examples:\n"

@@ -17,7 +17,7 @@ namespace tool {
 namespace {
 
 int convert(const std::string& file, bool back) {
-  const auto bytes = files::read(file);
+  const auto bytes = files::read_text(file, back ? files::max_small_file : files::max_file_size);
   if (!bytes) return report(bytes.errors(), file);
   std::string_view text = bytes.value();
   while (back && !text.empty() && text.find_last_of(" \t\r\n") == text.size() - 1)

@@ -9,12 +9,14 @@
 #include <cstdio>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "carom/scene.hpp"
-#include "files/files.hpp"
+#include "cli/options.hpp"
+#include "files/output.hpp"
 #include "tool/counted.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/quadtree.hpp"
@@ -26,7 +28,7 @@ namespace {
 
 struct QuadtreeOptions {
   std::string scene;
-  std::string svg;
+  std::optional<std::string> svg;
 };
 
 struct Level {
@@ -234,11 +236,16 @@ int quadtree(const QuadtreeOptions& options) {
   const auto scene = read_scene_file(options.scene);
   if (!scene) return report(scene.errors(), options.scene);
   const Tree tree(scene.value().balls);
-  if (!options.svg.empty())
-    if (const carom::Status written = files::write(options.svg, Picture(scene.value(), tree).svg());
-        !written)
-      return report(written.errors(), options.svg);
-  summarise(scene.value(), tree, options.svg == "-" ? stderr : stdout);
+  std::FILE* out = stdout;
+  if (options.svg) {
+    const std::array inputs{options.scene};
+    files::Output svg(*options.svg, inputs);
+    svg.write(Picture(scene.value(), tree).svg());
+    if (const carom::Status written = svg.commit(); !written)
+      return report_output(written.errors(), *options.svg);
+    if (svg.is_standard_output()) out = stderr;
+  }
+  summarise(scene.value(), tree, out);
   return done;
 }
 
@@ -254,6 +261,7 @@ void add_quadtree(CLI::App& carom, int& status) {
   command
       ->add_option("--svg", options->svg,
                    "Draw the balls and the squares that hold their centres; - is standard output")
+      ->check(cli::file_name())
       ->option_text("FILE");
   command->footer(
       "Prints for each level of the tree the side of its squares, how many of them hold a ball's\n"

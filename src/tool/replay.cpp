@@ -5,17 +5,23 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
-#include "carom/printable.hpp"
+#include "carom/display_text.hpp"
 #include "carom/trace.hpp"
+#include "cli/options.hpp"
 #include "files/files.hpp"
+#include "files/output.hpp"
+#include "json/limits.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
@@ -34,8 +40,8 @@ struct ReplayOptions {
   bool verify = false;
   bool text = false;
   bool json = false;
-  std::string trace;
-  std::string against;
+  std::optional<std::string> trace;
+  std::optional<std::string> against;
 };
 
 std::string score_text(const replay::Replay& replay, const std::array<std::int64_t, 2>& score) {
@@ -51,8 +57,8 @@ void print_turns(const replay::Player& player, std::FILE* out) {
     std::fputs("turn  player  steps  points  score\n", out);
   else
     // In quotes: a name may contain anything.
-    std::fprintf(out, "%s\nturn  steps  points  score\n",
-                 Json(carom::printable(replay.level->name)).dump().c_str());
+    std::fprintf(out, "\"%s\"\nturn  steps  points  score\n",
+                 carom::display_text(replay.level->name).c_str());
   for (std::size_t i = 0; i < player.reached_turns(); ++i) {
     const replay::Turn& turn = player.turns()[i];
     std::fprintf(out, "%4zu", i + 1);
@@ -62,15 +68,58 @@ void print_turns(const replay::Player& player, std::FILE* out) {
   }
 }
 
-// What differs between two lines of traces: "ball 12: expected …, got …".
+// The steps of a trace one by one, whatever white space is between and within them.
+class TraceReader {
+ public:
+  explicit TraceReader(std::string_view trace) : rest_(trace) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
+
+  // The next step, up to the bracket that closes it, or what stands there instead of one; empty at
+  // the end.
+  std::string_view next() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
+    std::size_t end = 0;
+    std::size_t depth = 0;
+    bool in_text = false;
+    for (; end < rest_.size(); ++end) {
+      const char c = rest_[end];
+      if (in_text) {
+        if (c == '\\') ++end;
+        if (c == '"') in_text = false;
+      } else if (c == '"') {
+        in_text = true;
+      } else if (c == '{' || c == '[') {
+        ++depth;
+      } else if (c == '}' || c == ']') {
+        if (depth <= 1) break;
+        --depth;
+      } else if (c == '\n' && depth == 0) {
+        break;
+      }
+    }
+    const std::string_view step = rest_.substr(0, std::min(end + 1, rest_.size()));
+    rest_.remove_prefix(step.size());
+    return step;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+// What differs between two steps of traces, number by number: "ball 12: expected …, got …". Empty
+// when they say the same.
 std::string difference(std::string_view expected_line, std::string_view got_line) {
-  const Json expected = Json::parse(expected_line, nullptr, false);
+  constexpr json::Limits limits{.depth = 8, .values = std::numeric_limits<std::size_t>::max()};
+  const Json expected = json::parse<Json>(expected_line, limits);
   const Json got = Json::parse(got_line, nullptr, false);
+  if (expected == got) return {};
   if (!expected.is_object() || !expected.contains("balls") || !expected["balls"].is_array())
     return "expected a line of a trace";
   const auto with_id = [](const Json& step, const Json& id) {
     for (const Json& ball : step["balls"])
-      if (ball.is_object() && ball.value("id", Json()) == id) return ball.dump();
+      if (ball.is_object() && ball.value("id", Json()) == id)
+        return carom::display_text(ball.dump(-1, ' ', false, Json::error_handler_t::replace));
     return std::string("no such ball");
   };
   for (const Json* const step : {&expected, &got})
@@ -79,7 +128,11 @@ std::string difference(std::string_view expected_line, std::string_view got_line
       const std::string theirs = with_id(expected, id);
       const std::string ours = with_id(got, id);
       if (theirs != ours)
-        return std::string("ball ").append(id.dump()).append(": expected ").append(theirs) +
+        return std::string("ball ")
+                   .append(
+                       carom::display_text(id.dump(-1, ' ', false, Json::error_handler_t::replace)))
+                   .append(": expected ")
+                   .append(theirs) +
                ", got " + ours;
     }
   return "all balls agree, the order, the events or the hash do not";
@@ -103,15 +156,14 @@ void for_each_trace_line(replay::Player player, F f) {
   }
 }
 
-int write_trace(const replay::Player& player, const std::string& path) {
-  files::Writer trace(path);
+int write_trace(const replay::Player& player, files::Output& trace, const std::string& path) {
   for_each_trace_line(player, [&](std::uint64_t, std::string_view line) {
     trace.write(line);
     trace.write("\n");
     return true;
   });
   const carom::Status written = trace.commit();
-  return written ? done : report(written.errors(), path);
+  return written ? done : report_output(written.errors(), path);
 }
 
 // The turn, counted from 1, that a step belongs to.
@@ -122,23 +174,20 @@ std::size_t turn_of(const replay::Player& player, std::uint64_t step) {
 }
 
 // Step by step against the trace of the same game, played elsewhere.
-int compare_with_trace(const replay::Player& player, const std::string& path) {
-  const auto trace = files::read(path);
-  if (!trace) return report(trace.errors(), path);
-  std::string_view rest = trace.value();
+int compare_with_trace(const replay::Player& player, std::string_view trace) {
+  TraceReader theirs(trace);
   std::string problem;
   std::uint64_t at = 0;
   for_each_trace_line(player, [&](std::uint64_t step, std::string_view line) {
-    const std::string_view expected = rest.substr(0, rest.find('\n'));
+    const std::string_view expected = theirs.next();
     at = step;
-    if (rest.empty())
+    if (expected.empty())
       problem = "the trace ends here";
     else if (expected != line)
       problem = difference(expected, line);
-    rest.remove_prefix(std::min(expected.size() + 1, rest.size()));
     return problem.empty();
   });
-  if (problem.empty() && !rest.empty()) problem = "the trace goes on, the replay ends";
+  if (problem.empty() && !theirs.next().empty()) problem = "the trace goes on, the replay ends";
   if (problem.empty()) return done;
   std::fprintf(stderr, "diverged in turn %zu at step %llu, %s\n", turn_of(player, at),
                static_cast<unsigned long long>(at), problem.c_str());
@@ -157,7 +206,7 @@ int convert(const replay::Replay& replay, const ReplayOptions& options) {
 }
 
 int play(const ReplayOptions& options) {
-  const auto bytes = files::read(options.file);
+  const auto bytes = files::read_text(options.file, files::max_small_file);
   if (!bytes) return report(bytes.errors(), options.file);
   auto read = replay::read_replay(bytes.value());
   if (!read) return report(read.errors(), options.file);
@@ -166,14 +215,29 @@ int play(const ReplayOptions& options) {
   const auto verified = replay::verify(std::move(read).value());
   if (!verified) return report(verified.errors(), options.file);
   const replay::Player& player = verified.value();
+  // All input is read before anything is written.
+  std::string against;
+  std::vector<std::string> inputs{options.file};
+  if (options.against) {
+    auto trace = files::read_text(*options.against);
+    if (!trace) return report(trace.errors(), *options.against);
+    against = std::move(trace).value();
+    inputs.push_back(*options.against);
+  }
+  std::optional<files::Output> trace;
+  if (options.trace) {
+    trace.emplace(*options.trace, inputs);
+    if (const carom::Status opened = trace->opened(); !opened)
+      return report_output(opened.errors(), *options.trace);
+  }
   // A trace on standard output stays pure; the rest then goes to standard error.
-  std::FILE* out = options.trace == "-" ? stderr : stdout;
+  std::FILE* out = trace && trace->is_standard_output() ? stderr : stdout;
   if (!options.verify) print_turns(player, out);
-  if (!options.trace.empty())
-    if (const int status = write_trace(player, options.trace); status != done) return status;
-  if (!options.against.empty())
-    if (const int status = compare_with_trace(player, options.against); status != done)
+  if (trace)
+    if (const int status = write_trace(player, *trace, *options.trace); status != done)
       return status;
+  if (options.against)
+    if (const int status = compare_with_trace(player, against); status != done) return status;
   if (player.divergence()) {
     std::fprintf(stderr, "%s\n",
                  replay::to_string(*player.divergence(), player.turns().size()).c_str());
@@ -202,11 +266,13 @@ void add_replay(CLI::App& carom, int& status) {
   command
       ->add_option("--trace", options->trace,
                    "Write every step's balls and events as JSON Lines; - is standard output")
+      ->check(cli::file_name())
       ->option_text("FILE");
   command
       ->add_option("--against", options->against,
                    "Compare every step with a trace of the same game, written elsewhere, and name "
                    "step and ball of the first difference")
+      ->check(cli::file_name())
       ->option_text("TRACE");
   CLI::Option* text = command->add_flag("--text", options->text,
                                         "Only print the replay as text for links, unplayed");

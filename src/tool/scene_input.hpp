@@ -10,10 +10,13 @@ namespace tool {
 /// Reads a scene file; "-" is standard input.
 carom::Result<carom::Scene> read_scene_file(const std::string& path);
 
-/// A file's name for messages.
+/// The name of a file that is read, fit to be printed.
 std::string shown_name(const std::string& path);
 
-/// Prints errors of a file to standard error and returns wrong_input.
+/// Prints errors of a file that is read to standard error and returns wrong_input.
 int report(const carom::Errors& errors, const std::string& path);
+
+/// The same of a file that is written.
+int report_output(const carom::Errors& errors, const std::string& path);
 
 }  // namespace tool

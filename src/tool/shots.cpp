@@ -2,12 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,7 +20,7 @@
 #include "carom/trace.hpp"
 #include "carom/world.hpp"
 #include "cli/options.hpp"
-#include "files/files.hpp"
+#include "files/output.hpp"
 #include "games/play_out.hpp"
 #include "json/number_text.hpp"
 #include "soak/random.hpp"
@@ -38,7 +37,7 @@ struct ShotsOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   bool no_skip = false;
-  std::string csv;
+  std::optional<std::string> csv;
   bool json = false;
 };
 
@@ -166,7 +165,7 @@ std::string csv_line(std::uint64_t launch, carom::Vec2 velocity, const games::Ou
   return line;
 }
 
-Summary play_all(const ShotsOptions& options, const carom::World& start, files::Writer* csv) {
+Summary play_all(const ShotsOptions& options, const carom::World& start, files::Output* csv) {
   Summary summary;
   carom::Rollouts rollouts(options.threads);
   soak::Random random(options.seed);
@@ -252,21 +251,23 @@ int shots(const ShotsOptions& options) {
                   options.scene);
   start.set_skipping(!options.no_skip);
 
-  std::optional<files::Writer> csv;
-  if (!options.csv.empty()) csv.emplace(options.csv);
+  std::optional<files::Output> csv;
+  if (options.csv) {
+    const std::array inputs{options.scene};
+    csv.emplace(*options.csv, inputs);
+    if (const carom::Status opened = csv->opened(); !opened)
+      return report_output(opened.errors(), *options.csv);
+  }
   const Summary summary = play_all(options, start, csv ? &*csv : nullptr);
   if (csv)
     if (const carom::Status written = csv->commit(); !written)
-      return report(written.errors(), options.csv);
+      return report_output(written.errors(), *options.csv);
   // A table on standard output stays pure; the rest then goes to standard error.
-  std::FILE* out = options.csv == "-" ? stderr : stdout;
+  std::FILE* out = csv && csv->is_standard_output() ? stderr : stdout;
   if (options.json)
     print_json(options, summary, out);
   else
     print_text(options, summary, out);
-  if (std::fflush(out) != 0 || std::ferror(out) != 0)
-    return report({{.problem = std::string("cannot be written: ") + std::strerror(errno)}},
-                  out == stdout ? "<standard output>" : "<standard error>");
   return done;
 }
 
@@ -294,6 +295,7 @@ void add_shots(CLI::App& carom, int& status) {
       ->add_option("--csv", options->csv,
                    "Write a line a launch: its velocity in px/s and what it came to; - is "
                    "standard output")
+      ->check(cli::file_name())
       ->option_text("FILE");
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -14,7 +15,8 @@
 #include "carom/trace.hpp"
 #include "carom/world.hpp"
 #include "cli/options.hpp"
-#include "files/files.hpp"
+#include "files/output.hpp"
+#include "games/settling.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
 
@@ -31,7 +33,7 @@ struct SimulateOptions {
   std::string broad_phase;
   int threads = 1;
   bool no_skip = false;
-  std::string trace;
+  std::optional<std::string> trace;
   bool hash = false;
   bool quiet = false;
 };
@@ -79,6 +81,24 @@ void summarise(const carom::World& world, std::FILE* out) {
   std::fprintf(out, "hash        %s\n", carom::hash_text(world.state_hash()).c_str());
 }
 
+// At rest means slow, which a ball at the top of its flight is, too. Says so when gravity goes on
+// to move what is slow.
+void tell_unsettled(const carom::World& world) {
+  constexpr std::uint64_t most_work = 3'000'000;  // ball-steps: a second at most
+  if (world.scene().gravity == 0) return;
+  const games::Settling settling = games::look_ahead(world, most_work);
+  if (settling.falling)
+    std::fprintf(stderr,
+                 "slow, but not settled: ball %u is in the air; --steps N goes on from there\n",
+                 *settling.falling);
+  else if (!settling.restless.empty() && settling.restless.front().lost)
+    std::fprintf(stderr, "slow, but not settled: ball %u is lost within the next 30 s\n",
+                 settling.restless.front().ball);
+  else if (!settling.restless.empty())
+    std::fprintf(stderr, "slow, but not settled: ball %u moves by %.0f px within the next 30 s\n",
+                 settling.restless.front().ball, settling.restless.front().distance);
+}
+
 int simulate(const SimulateOptions& options) {
   auto scene = read_scene_file(options.scene);
   if (!scene) return report(scene.errors(), options.scene);
@@ -101,8 +121,13 @@ int simulate(const SimulateOptions& options) {
     }
   }
 
-  std::optional<files::Writer> trace;
-  if (!options.trace.empty()) trace.emplace(options.trace);
+  std::optional<files::Output> trace;
+  if (options.trace) {
+    const std::array inputs{options.scene};
+    trace.emplace(*options.trace, inputs);
+    if (const carom::Status opened = trace->opened(); !opened)
+      return report_output(opened.errors(), *options.trace);
+  }
   std::string line;
   const auto trace_step = [&](std::span<const carom::Event> events) {
     if (!trace) return;
@@ -129,14 +154,15 @@ int simulate(const SimulateOptions& options) {
 
   if (trace)
     if (const carom::Status written = trace->commit(); !written)
-      return report(written.errors(), options.trace);
+      return report_output(written.errors(), *options.trace);
 
   // A trace on standard output stays pure; the rest then goes to standard error.
-  std::FILE* out = options.trace == "-" ? stderr : stdout;
+  std::FILE* out = trace && trace->is_standard_output() ? stderr : stdout;
   if (options.hash)
     std::fprintf(out, "%s\n", carom::hash_text(world.state_hash()).c_str());
   else if (!options.quiet)
     summarise(world, out);
+  if (until_rest && world.at_rest() && !options.hash && !options.quiet) tell_unsettled(world);
   if (until_rest && !world.at_rest())
     std::fprintf(stderr, "not at rest after %llu steps, the limit: --max-steps N sets another\n",
                  static_cast<unsigned long long>(goal));
@@ -186,6 +212,7 @@ void add_simulate(CLI::App& carom, int& status) {
   command
       ->add_option("--trace", options->trace,
                    "Write every step's balls and events as JSON Lines; - is standard output")
+      ->check(cli::file_name())
       ->option_text("FILE");
   command->add_flag("--hash", options->hash, "Print only the final state hash");
   command->add_flag("--quiet", options->quiet, "Print no summary and no progress");

@@ -34,6 +34,7 @@ struct Licences : testing::Test {
 TEST_F(Licences, EveryWordIsOnOneOfThePages) {
   std::set<std::string> words = words_of(licences::text);
   ASSERT_GT(words.size(), 500u);
+  std::erase_if(words, [](const std::string& word) { return word.size() > 60; });  // rules, broken
   std::string last;
   for (std::string page = shown(); page != last; page = shown()) {
     for (const std::string& word : words_of(page)) words.erase(word);

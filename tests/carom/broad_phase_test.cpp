@@ -62,9 +62,9 @@ carom::Scene heap(std::uint64_t seed) {
   carom::Scene scene;
   scene.gravity = n.one_in(4) ? 0 : n.uniform(100, 2000);
   scene.edges.top = carom::Edge::open;
-  const std::size_t count = 20 + n.below(n.one_in(10) ? 600 : 100);
+  const std::size_t count = 20 + n.below(n.one_in(10) ? 400 : 100);
   const bool equal = n.one_in(2);
-  const double side = std::sqrt(static_cast<double>(count)) * n.uniform(4, 16);
+  const double side = std::sqrt(static_cast<double>(count)) * n.uniform(7, 16);
   scene.width = side + 60;
   scene.height = side + 60;
   while (scene.balls.size() < count)

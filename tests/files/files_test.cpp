@@ -68,9 +68,29 @@ TEST_F(Files, TellsWhatCannotBeRead) {
 TEST_F(Files, TellsWhatCannotBeWritten) {
   EXPECT_FALSE(files::write(folder_ / "no" / "folder", "bytes"));
   EXPECT_FALSE(files::write(folder_, "bytes")) << "a folder";
-  EXPECT_FALSE(files::write("/dev/full", std::string(100'000, 'x')));
-  EXPECT_TRUE(files::write("/dev/null", "bytes"));
-  EXPECT_TRUE(fs::is_character_file("/dev/null")) << "a device is written, not replaced";
+  EXPECT_FALSE(files::write("/dev/null", "bytes")) << "a device";
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(Files, KeepsThePermissionsOfWhatItReplaces) {
+  ASSERT_TRUE(files::write(folder_ / "file", "old"));
+  fs::permissions(folder_ / "file", fs::perms::owner_read | fs::perms::owner_write);
+  ASSERT_TRUE(files::write(folder_ / "file", "new"));
+  EXPECT_EQ(fs::status(folder_ / "file").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(Files, RefusesTooLargeFilesUnread) {
+  ASSERT_TRUE(files::write(folder_ / "file", "12345"));
+  EXPECT_TRUE(files::read(folder_ / "file", 5));
+  EXPECT_FALSE(files::read(folder_ / "file", 4));
+  EXPECT_FALSE(files::read("/dev/zero", 100'000));
+}
+
+TEST_F(Files, ReadsATextUpToAZeroByte) {
+  const auto text = files::read_text("/dev/zero");
+  ASSERT_TRUE(text) << "without end otherwise";
+  EXPECT_LT(text.value().size(), 1U << 20);
 }
 
 TEST_F(Files, WritesANewFileOnlyWhereNoneIs) {
@@ -94,7 +114,9 @@ TEST_F(Files, RemovesOnlyWhatTheKilledLeftAside) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
   const std::string dead = std::to_string(child);
-  ASSERT_TRUE(fs::exists(folder_ / ("save.json.part-" + dead)));
+  ASSERT_EQ(entries(), 1U);
+  const std::string aside = fs::directory_iterator(folder_)->path().filename();
+  ASSERT_TRUE(aside.starts_with("save.json.part-" + dead + "-")) << aside;
 
   const std::string alive = "save.json.part-" + std::to_string(::getpid());
   const std::vector<std::string> others{alive,
@@ -107,11 +129,13 @@ TEST_F(Files, RemovesOnlyWhatTheKilledLeftAside) {
                                         "save.json.part-0",
                                         "save.json.part",
                                         "save.json-" + dead,
-                                        "save.json.part-" + dead + "~"};
+                                        "save.json.part-" + dead + "~",
+                                        "save.json.part-" + dead + "-0123456",
+                                        "save.json.part-" + dead + "-0123456g"};
   for (const std::string& name : others) std::ofstream(folder_ / name) << "x";
   fs::create_directory(folder_ / ("folder.json.part-" + dead));
   files::remove_abandoned(folder_, ".json");
-  EXPECT_FALSE(fs::exists(folder_ / ("save.json.part-" + dead)));
+  EXPECT_FALSE(fs::exists(folder_ / aside));
   for (const std::string& name : others) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
   EXPECT_EQ(entries(), others.size() + 1);
   files::remove_abandoned(folder_ / "nothing", ".json");

@@ -65,6 +65,21 @@ TEST(ReplayText, AnySoundReplayIsReadBack) {
   }
 }
 
+TEST(ReplayText, IsTakenAsItWasPasted) {
+  const std::string text = text_of(empty_game);
+  const std::string fold = text.substr(0, 7) + "\r\n" + text.substr(7);
+  for (const std::string& pasted :
+       {text, fold, "\xEF\xBB\xBF" + text + "\n", " \t" + text + " \r\n",
+        "https://example.org/play/?a=b#replay=" + fold,
+        "<https://example.org/#replay=" + text + ">",
+        "> " + text.substr(0, 5) + "\n> " + text.substr(5) + "\n",
+        text.substr(0, 9) + "=\r\n" + text.substr(9)}) {
+    EXPECT_EQ(problem(pasted), "no problem") << pasted;
+    EXPECT_TRUE(replay::read_replay(pasted)) << pasted;
+  }
+  EXPECT_NE(problem(text.substr(0, 7) + "." + text.substr(7)), "no problem");
+}
+
 TEST(ReplayText, MinusZeroIsZero) {
   replay::Replay replay;
   replay.moves = {{billiards::Shoot{{-0.0, 1}}, 3, 4}};

@@ -6,7 +6,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
 #include "app/view/landscape.hpp"
-#include "carom/printable.hpp"
+#include "carom/display_text.hpp"
 
 namespace app {
 namespace {
@@ -165,7 +165,7 @@ void ReplayList::draw_entry(Canvas& canvas, ButtonId index) const {
   const Rect left = narrow ? rest.cut_top(rest.h / 2) : rest.cut_left(std::round(rest.w * 0.32f));
   if (!narrow) rest.cut_left(canvas.px(8));
   const TextStyle what{Face::regular, 17, entry.replay ? palette::cream : dim};
-  label(canvas, left, name, elided(canvas, name, carom::printable(entry.name), left.w));
+  label(canvas, left, name, elided(canvas, name, carom::display_text(entry.name), left.w));
   label(canvas, rest, what, elided(canvas, what, describe(entry), rest.w));
   std::string texts;
   for (std::size_t i = own; i < list.boxes.size(); ++i)

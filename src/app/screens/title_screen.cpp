@@ -4,7 +4,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/screens/load_screen.hpp"
 #include "app/screens/title_art.hpp"
-#include "carom/printable.hpp"
+#include "carom/display_text.hpp"
 
 namespace app {
 
@@ -247,7 +247,7 @@ void TitleScreen::tell_refused() {
   std::vector<Dialog::Line> lines{{words_(text_of(refused->fault)), {}, {}}};
   if (refused->set_aside) {
     lines.push_back({words_(Text::kept_set_aside), {}, {}});
-    lines.push_back({words_(Text::kept_file, {carom::printable(refused->name)}), {}, {}});
+    lines.push_back({words_(Text::kept_file, {carom::display_text(refused->name)}), {}, {}});
   } else {
     lines.push_back({words_(Text::kept_blocked), {}, {}});
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/base/embedded.hpp"
-#include "carom/printable.hpp"
+#include "carom/display_text.hpp"
 
 namespace app {
 namespace {
@@ -209,7 +209,7 @@ std::string Words::level_name(std::string_view name) const {
 std::string Words::foreign_name(std::string_view name) const {
   constexpr std::size_t most = 60;
   if (name.empty()) return (*this)(Text::unnamed_level);
-  std::string shown = carom::printable(name, most);
+  std::string shown = carom::display_text(name, most);
   const auto replace = [&](std::string_view sign, std::string_view by) {
     for (std::size_t at = shown.find(sign); at != std::string::npos; at = shown.find(sign, at))
       shown.replace(at, sign.size(), by);
@@ -224,7 +224,7 @@ std::string Words::foreign_name(std::string_view name) const {
 
 std::string Words::player(int player) const {
   const std::string& name = voice_->names[static_cast<std::size_t>(player)];
-  return name.empty() ? (*this)(Text::player, {number(player + 1)}) : carom::printable(name);
+  return name.empty() ? (*this)(Text::player, {number(player + 1)}) : carom::display_text(name);
 }
 
 }  // namespace app
