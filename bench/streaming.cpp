@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include "carom/world.hpp"
+#include "reflect.hpp"
 #include "simulator.hpp"
 
 namespace bench {
@@ -20,8 +19,8 @@ class Streaming final : public Simulator {
 
   void advance(int steps) override {
     for (int n = 0; n < steps; ++n) {
-      stream(x_.data(), vx_.data(), x_.size(), width_);
-      stream(y_.data(), vy_.data(), y_.size(), height_);
+      stream(x_, vx_, width_);
+      stream(y_, vy_, height_);
     }
   }
 
@@ -39,16 +38,9 @@ class Streaming final : public Simulator {
   }
 
  private:
-  // Selections instead of branches, so that the compiler makes vectors of it.
-  static void stream(double* __restrict position, double* __restrict velocity, std::size_t count,
-                     double end) {
-    const double low = carom::default_radius;
-    const double high = end - carom::default_radius;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double moved = position[i] + velocity[i] * carom::time_step;
-      position[i] = std::min(std::max(moved, low), high);
-      velocity[i] = position[i] == moved ? velocity[i] : -velocity[i];
-    }
+  static void stream(std::vector<double>& position, std::vector<double>& velocity, double end) {
+    reflect(position.data(), velocity.data(), position.size(), carom::time_step,
+            carom::default_radius, end - carom::default_radius);
   }
 
   double width_;

@@ -106,7 +106,7 @@ class Checker {
           level_.width < level_.height ? "/height" : "/width",
           "is " + rounded(side) + " px: a throw of full strength crosses it in " +
               std::to_string(std::lround(std::ceil(side / (max_launch_speed * carom::time_step)))) +
-              " steps of 0.01 s",
+              " × 0.01 s",
           "a level some hundred px wide; lengths are px, not metres");
     // v² = 2·g·h at the bottom of the longest fall.
     const double fall = std::sqrt(2 * level_.gravity * level_.height);
