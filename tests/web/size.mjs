@@ -20,7 +20,7 @@ for (const locale of ["en-GB", "fr-FR"]) {
     const start = new Map(requested);
     await game.ready();
     await game.press("Enter");
-    await game.waitFor(locale === "en-GB" ? "Player 1 aims" : "Le joueur 1 vise");
+    await game.waitFor(locale === "en-GB" ? "Player 1 aims" : "Joueur 1 vise");
     const total = [...start.values()].reduce((sum, size) => sum + size, 0);
     console.log(`${locale}: ${total} bytes: ${[...start].map((entry) => entry.join(" ")).join(", ")}`);
     check(start.has("game.js") && [...start.keys()].some((name) => name.endsWith(".wasm")),
