@@ -25,7 +25,8 @@ constexpr To bit_cast(const From& from) noexcept {
 }
 #endif
 
-// Later versions of LLVM's library have to_chars, but not from_chars, and leave this undefined, too.
+// Later versions of LLVM's library have to_chars, but not from_chars, and leave this undefined,
+// too.
 #if !defined(__cpp_lib_to_chars) && defined(__EMSCRIPTEN__)
 /// The shortest text of a finite number that reads back to the same bits: plain or with an
 /// exponent, whichever is shorter; plain if equal. The same bytes as other libraries give.

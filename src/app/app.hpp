@@ -47,7 +47,8 @@ class App {
   /// Opens a file: a replay is shown; a level is put beside the others, kept, and played. Tells the
   /// player if it is neither. `name`: for messages and for keeping it.
   void open_file(const std::string& name, const std::string& bytes);
-  /// The texts that HostEnvironment::fetch_texts was asked for; of another version they are refused.
+  /// The texts that HostEnvironment::fetch_texts was asked for; of another version they are
+  /// refused.
   void take_texts(Language language, std::string file);
   /// The picture now; good until the next call.
   const DrawList& draw();

@@ -11,7 +11,7 @@
 /// them.
 namespace files {
 
-inline constexpr std::size_t max_file_size = std::size_t{2} << 30;  ///< bytes
+inline constexpr std::size_t max_file_size = std::size_t{2} << 30;    ///< bytes
 inline constexpr std::size_t max_small_file = std::size_t{16} << 20;  ///< bytes
 
 /// The bytes of a file; "-" is standard input. Refuses what cannot be read and what is larger than

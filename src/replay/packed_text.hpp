@@ -12,8 +12,9 @@ namespace replay {
 /// Letters, digits, '-' and '_' only. The packing depends on zlib's version.
 std::string pack(char version, std::string payload);
 
-/// The payload of what was pasted, by pasted_text(). Refuses a text that was not taken whole, or changed, or unpacks to more than
-/// max_bytes, and another version. `what` it is the text of, for messages: "a replay".
+/// The payload of what was pasted, by pasted_text(). Refuses a text that was not taken whole, or
+/// changed, or unpacks to more than max_bytes, and another version. `what` it is the text of, for
+/// messages: "a replay".
 carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what);
 
 /// What a player pasted, made the text alone: of a whole link what is behind '#' and the name; with

@@ -8,8 +8,8 @@
 //                            of N steps
 
 #include <array>
-#include <cstddef>
 #include <clocale>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -395,5 +395,6 @@ int main(int argc, char** argv) {
   else if (arguments.size() == 1)
     compute(Table(arguments[0]));
   else
-    fail("Usage: golden_hashes TABLE [--threads N | --locale NAME] | --print | --steps N", unusable);
+    fail("Usage: golden_hashes TABLE [--threads N | --locale NAME] | --print | --steps N",
+         unusable);
 }

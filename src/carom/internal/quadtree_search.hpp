@@ -352,8 +352,8 @@ class QuadtreeSearch {
 /// A number of the size of `no_fractions` has no room for fractions: the sum is rounded to the
 /// nearest whole number, half a square down, and stands in its lowest bits. A position at a
 /// boundary, to within rounding, may come to either side of it, and beyond 2⁴⁰ squares all are one,
-/// so that rounding never costs more than 2⁻¹² of a square; a higher position never comes to a lower square, so a range of positions is in the range of
-/// their squares.
+/// so that rounding never costs more than 2⁻¹² of a square; a higher position never comes to a
+/// lower square, so a range of positions is in the range of their squares.
 inline constexpr double no_fractions = 0x1.8p52;
 [[gnu::always_inline]] inline Long2 coordinates(Double2 positions, double per_side) {
   const Double2 most{0x1p40, 0x1p40};
