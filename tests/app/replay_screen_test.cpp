@@ -211,7 +211,7 @@ TEST(Replays, AreWatchedAfterAGameAndFromTheList) {
   game.wait_for("Level won!");
   game.pass(2s);
   game.press("Watch replay");
-  EXPECT_TRUE(game.says("replay · Easy · Turn 1 of 1")) << game.title();
+  EXPECT_TRUE(game.says("replay · “Easy” (your level) · Turn 1 of 1")) << game.title();
   game.wait_for("paused");
   EXPECT_TRUE(game.says("Score 100 · Verified")) << game.title();
   game.press("Save");
@@ -223,7 +223,7 @@ TEST(Replays, AreWatchedAfterAGameAndFromTheList) {
   game.press("Replays");
   EXPECT_TRUE(game.says("1 replay"));
   game.press("replay-0001");
-  EXPECT_TRUE(game.says("replay · Easy"));
+  EXPECT_TRUE(game.says("replay · “Easy” (your level)"));
   game.press("Close");
   EXPECT_TRUE(game.says("Saved replays"));
 }

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"angry-balls-settings": 2})", R"({"angry-balls-settings": 1.0})",
                     R"({"angry-balls-settings": "1"})", R"({"angry-balls-settings": true})",
                     R"({"angry-balls-settings": 1, "news": 1})",
-                    R"({"angry-balls-settings": 1, "volume": 10, "language": "de"})",
+                    R"({"angry-balls-settings": 1, "volume": 10, "language": "tlh"})",
                     R"({"angry-balls-settings": 1, "language": 1})",
                     R"({"angry-balls-settings": 1, "volume": 101})",
                     R"({"angry-balls-settings": 1, "volume": -1})",

@@ -125,9 +125,25 @@ void KeptList::draw(Canvas& canvas) const {
   Rect head = head_;
   head.cut_right(canvas.px(button_width + row_gap));
   label(canvas, head, {Face::black, 32, palette::cream}, words_(Text::kept_games));
-  for (ButtonId i = 0; i < 2 * entries_.size(); ++i) list_.buttons.draw_one(canvas, i, 17);
+  for (ButtonId i = 0; i < entries_.size(); ++i) {
+    draw_entry(canvas, 2 * i);
+    list_.buttons.draw_one(canvas, 2 * i + 1, 17);
+  }
   list_.draw(canvas);
   if (question_) question_->draw(canvas);
+}
+
+/// On two lines where one is too long.
+void KeptList::draw_entry(Canvas& canvas, ButtonId button) const {
+  const Buttons::Look look = list_.buttons.draw_face(canvas, button);
+  const std::string& text = list_.buttons.label_of(button);
+  const TextStyle style{Face::bold, 17, look.ink, Align::center};
+  const Rect inside = look.box.inset(canvas.px(10), 0);
+  if (label_width(canvas, style, text) <= inside.w)
+    label(canvas, inside, style, text);
+  else
+    paragraph(canvas, centered(inside.center(), inside.w, canvas.px(43)), style, text);
+  list_.buttons.list_box(canvas.list, button, text);
 }
 
 std::string KeptList::describe() const {

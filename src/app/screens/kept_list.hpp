@@ -40,6 +40,7 @@ class KeptList final : public Screen {
   Transition choose(ButtonId button);
   void ask(const Entry& entry);
   std::string describe(const Entry& entry) const;
+  void draw_entry(Canvas& canvas, ButtonId button) const;
 
   Words words_;
   Session& session_;

@@ -229,7 +229,8 @@ void LevelMenu::draw_card(Canvas& canvas, ButtonId button) const {
   const TextStyle name_style{Face::bold, 16, playable ? palette::cream : dim};
   const auto best = campaign_.best.of(level.identity);
   const Rect line = playable ? words.cut_top(words.h / 2) : words;
-  label(canvas, line, name_style, elided(canvas, name_style, name, line.w));
+  const std::string shown = elided(canvas, name_style, name, line.w);
+  label(canvas, line, name_style, shown);
   if (playable)
     label(canvas, words, {Face::regular, 16, best ? palette::brass_lit : palette::muted},
           best ? words_(Text::best, {words_.number(*best)}) : words_(Text::not_won_yet));
@@ -240,8 +241,10 @@ void LevelMenu::draw_card(Canvas& canvas, ButtonId button) const {
                  : best  ? palette::brass
                          : palette::panel_edge);
   std::string all;
-  for (std::size_t i = texts; i < list.boxes.size(); ++i)
-    all += (all.empty() ? "" : "\n") + list.boxes[i].text;
+  for (std::size_t i = texts; i < list.boxes.size(); ++i) {
+    const std::string& text = list.boxes[i].text;
+    all += (all.empty() ? "" : "\n") + (text == shown ? name : text);
+  }
   buttons.list_box(list, button, std::move(all));
 }
 

@@ -12,7 +12,9 @@ using replay::Kind;
 
 namespace {
 
-constexpr float rail = 40;  ///< units, how high the wood is
+// Units.
+constexpr float rail = 40;               ///< how high the wood is
+constexpr float kept_games_width = 142;  ///< and the gap before it
 /// Of words: in the middle below the poster, left beside it.
 Align align_in(const View& view) { return view.height > view.width ? Align::center : Align::left; }
 
@@ -134,7 +136,8 @@ void TitleScreen::resize(const View& view) {
   words.cut_top(unit * 4);
   tagline_ = words.cut_top(unit * 32);
   words.cut_top(unit * 20);
-  const float width = std::min(words.w, view.px(tall ? 360 : 304));
+  const bool several = std::ranges::find(choices_, Choice::kept_games) != choices_.end();
+  const float width = std::min(words.w, view.px(tall || several ? 360 : 304));
   const float left = tall ? words.center().x - width / 2 : words.x;
   Rect row;
   const auto next_row = [&] {
@@ -142,11 +145,12 @@ void TitleScreen::resize(const View& view) {
     words.cut_top(step);
   };
   const float gap = view.px(8);
-  const bool several = std::ranges::find(choices_, Choice::kept_games) != choices_.end();
   for (const Choice choice : choices_) {
     const ButtonId id = id_of(choice);
     buttons_.relabel(id, label_of(choice));
     buttons_.explain(id, words_(tip_of(choice)));
+    if (several && choice == Choice::continue_latest)
+      buttons_.abbreviate(id, words_(Text::continue_game));
     const bool alone = choice == Choice::continue_latest && !several;
     const bool second = choice == Choice::kept_games || choice == Choice::practice_table ||
                         choice == Choice::replays || choice == Choice::open_file ||
@@ -156,7 +160,9 @@ void TitleScreen::resize(const View& view) {
       buttons_.place(view, id, row);
     } else {
       next_row();
-      buttons_.place(view, id, alone ? row : row.cut_left(row.w * 0.58f));
+      const float first =
+          choice == Choice::continue_latest ? row.w - view.px(kept_games_width) : row.w * 0.56f;
+      buttons_.place(view, id, alone ? row : row.cut_left(first));
     }
   }
 }

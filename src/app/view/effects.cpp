@@ -165,7 +165,8 @@ void Effects::draw_announcement(Canvas& canvas, const Rect& table,
   const float alone =
       label_width(canvas, headline, announcement_->headline) + canvas.px(player ? 100 : 48);
   Rect box = centered(
-      middle, std::min(two_lines ? canvas.px(440) : alone, canvas.view.width - canvas.px(32)),
+      middle,
+      std::min({two_lines ? canvas.px(440) : alone, canvas.view.width - canvas.px(32), table.w}),
       height);
   box = clear_place(box, table, things);
   const Color accent =

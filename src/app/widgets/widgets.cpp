@@ -9,6 +9,11 @@
 #include "app/graphics/shapes.hpp"
 
 namespace app {
+namespace {
+
+constexpr float least_size = 16;  ///< units, of a label that has a brief form
+
+}  // namespace
 
 const Buttons::Button* Buttons::find(ButtonId id) const {
   const auto found = std::ranges::find(buttons_, id, &Button::id);
@@ -177,8 +182,12 @@ Buttons::Look Buttons::draw_face(Canvas& canvas, ButtonId id) const {
 void Buttons::draw_one(Canvas& canvas, ButtonId id, float text_size) const {
   const Look look = draw_face(canvas, id);
   const Button& button = *find(id);
-  label(canvas, look.box.inset(canvas.px(10), 0), {Face::bold, text_size, look.ink, Align::center},
-        button.label);
+  const Rect inside = look.box.inset(canvas.px(10), 0);
+  const TextStyle style{Face::bold, text_size, look.ink, Align::center};
+  const bool brief =
+      !button.brief.empty() &&
+      label_width(canvas, {Face::bold, least_size, look.ink}, button.label) > inside.w;
+  label(canvas, inside, style, brief ? button.brief : button.label);
   list_box(canvas.list, id, button.label);
 }
 

@@ -28,6 +28,7 @@ class Buttons {
     std::string
         tip{};  ///< what it does, in some words: shown while it is pointed at or has the focus
     Rect box{};
+    std::string brief{};  ///< shown where the label has too little room; empty: set smaller
   };
   /// In the order of the focus. With `primary`, that button stands out and Enter means it as long
   /// as nothing has the focus.
@@ -42,6 +43,7 @@ class Buttons {
   }
 
   void relabel(ButtonId id, std::string label) { at(id).label = std::move(label); }
+  void abbreviate(ButtonId id, std::string brief) { at(id).brief = std::move(brief); }
   void explain(ButtonId id, std::string tip) { at(id).tip = std::move(tip); }
 
   /// Of the button pointed at, else of the one with the focus; empty if there is none.
