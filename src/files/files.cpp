@@ -32,7 +32,7 @@ bool is_abandoned(const std::string& name, std::string_view ending) {
   const auto read = std::from_chars(name.data() + mark + aside_mark.size(), end, process);
   if (read.ec != std::errc() || process <= 0) return false;
   // Older versions wrote no more than this.
-  const std::string_view random(read.ptr, end);
+  const std::string_view random(read.ptr, static_cast<std::size_t>(end - read.ptr));
   if (!random.empty() &&
       (random.size() != 9 || random.front() != '-' ||
        random.find_first_not_of("0123456789abcdef", 1) != std::string_view::npos))
