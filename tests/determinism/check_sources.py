@@ -20,6 +20,8 @@ KEYS_DIFFER = "// keys differ: "
 # Here floats choose what is then tested in doubles: they are rounded so that nothing is missed, and
 # what is found in vain changes nothing.
 FLOAT_FILES = ("include/carom/quadtree.hpp", "src/carom/quadtree.cpp",
+               "src/carom/forecast.cpp", "src/carom/internal/forecast.hpp",
+               "src/carom/internal/kernel_loops.hpp", "src/carom/internal/kernels.hpp",
                "src/carom/internal/packed_index.hpp", "src/carom/internal/quadtree_search.hpp",
                "src/carom/internal/row_pairs.hpp", "src/carom/internal/vectors.hpp")
 
@@ -143,7 +145,7 @@ def main():
     wrong = 0
     checked = 0
     for folder in FOLDERS:
-        files = sorted(path for path in (ROOT / folder).iterdir() if path.suffix in (".hpp", ".cpp"))
+        files = sorted(path for path in (ROOT / folder).rglob("*") if path.suffix in (".hpp", ".cpp"))
         if not files:
             sys.exit(f"{folder} has no sources")
         for path in files:

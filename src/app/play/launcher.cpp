@@ -334,11 +334,6 @@ std::optional<Point> Launcher::pulled_to() const {
   return grip_ == Grip::pulling ? std::optional(pointer_) : std::nullopt;
 }
 
-carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 target) {
-  constexpr double length = 100;  // px
-  return length * carom::unit(target - from);
-}
-
 carom::Vec2 nearest(const carom::World& world, carom::Role role, carom::Vec2 from,
                     carom::Vec2 other) {
   double least = std::numeric_limits<double>::infinity();

@@ -117,8 +117,6 @@ auto* aim_in(State& state) {
   return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
 }
 
-/// Where the keys start on a lead at `from`: 500 px/s towards `target` (px).
-carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 target);
 /// The ball of a role that is nearest to `from`; `other` if there is none.
 carom::Vec2 nearest(const carom::World& world, carom::Role role, carom::Vec2 from,
                     carom::Vec2 other);
