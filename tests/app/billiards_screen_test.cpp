@@ -109,7 +109,7 @@ TEST_F(BilliardsScreenTest, AClickBesideTheCueBallOnlyTellsWhatToDo) {
   click(window(400, 200));
   click(window(500, 200));
   EXPECT_EQ(screen.game().phase(), Phase::aim);
-  EXPECT_TRUE(shows("not the cue ball"));
+  EXPECT_TRUE(shows("Click the white cue ball first"));
   click(cue());
   EXPECT_TRUE(shows("Click where to send it"));
 }

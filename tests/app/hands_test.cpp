@@ -331,14 +331,14 @@ TEST_F(Hands, TheOneUsedLastIsToldWhatItDoes) {
   EXPECT_TRUE(game.shows("A: shoot."));
   game.app().event(app::Finger{1, app::Finger::Phase::down, {1, 1}});
   game.app().event(app::Finger{1, app::Finger::Phase::up, {1, 1}});
-  EXPECT_TRUE(game.shows("tap the white one"));
+  EXPECT_TRUE(game.shows("Tap the white cue ball first"));
   EXPECT_FALSE(game.shows("A: shoot."));
   key(Key::up);
   key(Key::escape);
   EXPECT_TRUE(game.shows("let go."));
   EXPECT_FALSE(game.shows("Keys: arrows")) << "a finger's keys are those of the screen";
   game.click({1, 1});
-  EXPECT_TRUE(game.shows("click the white one"));
+  EXPECT_TRUE(game.shows("Click the white cue ball first"));
   pad(PadButton::b);
   EXPECT_TRUE(game.says("title screen"));
   key(Key::enter);

@@ -196,7 +196,7 @@ TEST_F(KeysTest, ButtonsTellWhatTheyDo) {
   game.key(Key::tab);
   EXPECT_TRUE(game.shows("A game for two"));
   game.key(Key::tab);
-  EXPECT_TRUE(game.shows("can be taken back"));
+  EXPECT_TRUE(game.shows("shots can be undone"));
   game.app().event(app::PointerMoved{{1, 1}});
   game.key(Key::enter);
   ASSERT_TRUE(game.says("practice"));

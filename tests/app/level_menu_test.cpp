@@ -1,3 +1,5 @@
+#include <map>
+
 #include "app/player.hpp"
 
 namespace {
@@ -48,27 +50,39 @@ TEST(LevelMenu, ABrokenLevelTellsItsFirstErrorAndDoesNotStart) {
   EXPECT_TRUE(game.shows("Cannot be played: bad.json:2:11: /width"));
 }
 
+app::Box button(Player& game, std::string_view name) {
+  for (const app::Box& box : game.boxes())
+    if (box.kind == app::Box::Kind::button && box.text.find(name) != std::string::npos) return box;
+  return {};
+}
+
+TEST(LevelMenu, TenLevelsStandInTwoFullRows) {
+  for (const auto& [width, height] : {std::pair{800, 600}, {1280, 720}}) {
+    Player game(app::Language::en, width, height);
+    game.press("Angry Balls");
+    std::map<float, int> rows;
+    for (const app::Level& level : app::shipped_levels()) ++rows[button(game, level.name).area.y];
+    ASSERT_EQ(rows.size(), 2U) << width;
+    for (const auto& [y, count] : rows) EXPECT_EQ(count, 5) << width;
+  }
+}
+
 TEST(LevelMenu, ALastRowThatIsNotFullStandsInTheMiddle) {
-  Player game(app::Language::en, 800, 600);
+  Player game(app::Language::en, 800, 600, own_levels(1));
   game.press("Angry Balls");
-  const auto level = [&](std::string_view name) {
-    for (const app::Box& box : game.boxes())
-      if (box.kind == app::Box::Kind::button && box.text.find(name) != std::string::npos)
-        return box;
-    return app::Box{};
-  };
-  // Ten in rows of four.
+  const auto level = [&](std::string_view name) { return button(game, name); };
+  // Eleven in rows of four.
   const app::Rect ninth = level("The crown").area;
-  const app::Rect tenth = level("The fortress").area;
+  const app::Rect last = level("own-0").area;
   EXPECT_GT(ninth.y, level("Sentinels").area.bottom());
-  EXPECT_NEAR(ninth.x + tenth.right(), 800, 2);
+  EXPECT_NEAR(ninth.x + last.right(), 800, 2);
   // Keys go by where they stand.
   game.key(app::Key::tab);
   for (int i = 0; i < 3; ++i) game.key(app::Key::right);
   for (int i = 0; i < 2; ++i) game.key(app::Key::down);
-  EXPECT_TRUE(level("The fortress").focused);
+  EXPECT_TRUE(level("own-0").focused);
   game.key(app::Key::up);
-  EXPECT_TRUE(level("The pit").focused);
+  EXPECT_TRUE(level("The pit").focused || level("Sentinels").focused);
 }
 
 TEST(LevelMenu, ManyLevelsArePaged) {
@@ -79,7 +93,7 @@ TEST(LevelMenu, ManyLevelsArePaged) {
   game.press("Previous");  // round to the last
   EXPECT_TRUE(game.shows("own-49"));
   game.press("own-49");
-  EXPECT_TRUE(game.says("Level 60: own-49")) << game.title();
+  EXPECT_TRUE(game.says("Level 60: “own-49” (your level)")) << game.title();
   game.key(app::Key::escape);
   EXPECT_TRUE(game.shows("own-49")) << "the page of the level that was played";
   game.press("Next");

@@ -48,7 +48,7 @@ void Help::resize(const View& view) {
   Rect rest = frame_.inset(view.px(16), view.px(10));
   if (auto* keys_panel = std::get_if<KeysPanel>(&panel_)) keys_panel->resize(view, rest);
   if (auto* texts = std::get_if<LicencesPanel>(&panel_)) texts->resize(view, rest);
-  head_ = rest.cut_top(view.px(44));
+  head_ = rest.cut_top(view.button(44));
   page_label_ = head_.cut_right(view.px(110));
   buttons_.place(view, licences, head_.cut_right(view.px(116)));
   Rect row = rest.cut_bottom(view.button(button_height));
@@ -84,7 +84,7 @@ void Help::lay_out() {
 void Help::lay_out(std::span<const Section> in_order) {
   lines_.clear();
   Rect area = frame_.inset(view_.px(16), view_.px(10));
-  area.cut_top(view_.px(44));
+  area.cut_top(view_.button(44));
   area.cut_bottom(view_.button(button_height) + view_.px(8));
   const float gap = view_.px(column_gap);
   const auto columns =

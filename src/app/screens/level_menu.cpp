@@ -19,7 +19,8 @@ constexpr float gap = 12;
 constexpr float least_width = 140;
 constexpr float least_height = 112;
 constexpr float most_width = 300;
-constexpr float words_height = 58;      ///< of a card, below the picture
+constexpr float slim_width = 176;   ///< of a card: less has no room for a name beside the number
+constexpr float words_height = 58;  ///< of a card, below the picture
 constexpr float picture_ratio = 0.56f;  ///< a picture's height by its width
 constexpr float button_width = 104;
 constexpr float practice_width = 148;
@@ -220,10 +221,13 @@ void LevelMenu::draw_card(Canvas& canvas, ButtonId button) const {
   }
   const std::string number = words_.number(static_cast<int>(index) + 1);
   const TextStyle number_style{Face::black, 30, playable ? palette::brass_lit : dim, Align::center};
+  const float number_width = std::max(label_width(canvas, number_style, number) + 1, canvas.px(26));
+  // On a slim card the name needs the whole width: the number stands in the sky.
+  const bool slim = playable && box.w < canvas.px(slim_width);
   label(canvas,
-        words.cut_left(std::max(label_width(canvas, number_style, number) + 1, canvas.px(26))),
+        slim ? rest.cut_left(number_width).cut_top(canvas.px(32)) : words.cut_left(number_width),
         number_style, number);
-  words.cut_left(canvas.px(8));
+  if (!slim) words.cut_left(canvas.px(8));
   const std::string name = level.origin == Origin::shipped ? words_.level_name(level.name)
                                                            : words_.foreign_name(level.name);
   const TextStyle name_style{Face::bold, 16, playable ? palette::cream : dim};
