@@ -312,9 +312,13 @@ TEST(Continue, TwoWindowsThatGoOnWithTheSameGameKeepBoth) {
   three.load("Continue: billiards");
   const auto by_two = last(store);
   for (Start* game : {&three, &two}) {
-    if (game->says("places")) continue;
+    SCOPED_TRACE(game->title());
     const auto& table = dynamic_cast<const app::BilliardsScreen&>(game->app().screen());
-    game->shoot(table.game().world().ball(0).position, {13, -70});
+    if (game->says("places")) game->click(greedy::choose_place(table.game(), table.viewport()));
+    const auto shot = greedy::choose_shot(table.game(), table.viewport(), 3);
+    game->click(shot.grab);
+    game->click(shot.target);
+    EXPECT_TRUE(game->says("watches")) << game->title();
     game->watch();
   }
   EXPECT_EQ(kept(store).size(), 3U);
