@@ -150,7 +150,8 @@ class Block {
 /// As many launches as fit into some megabytes.
 std::size_t block_size(std::uint64_t count, std::size_t balls) {
   constexpr std::size_t most_balls = std::size_t{1} << 19;
-  return std::min<std::uint64_t>(count, std::clamp<std::size_t>(most_balls / balls, 1, 4096));
+  const std::uint64_t most = std::clamp<std::size_t>(most_balls / balls, 1, 4096);
+  return static_cast<std::size_t>(std::min(count, most));
 }
 
 std::string csv_line(std::uint64_t launch, carom::Vec2 velocity, const games::Outcome& outcome,
