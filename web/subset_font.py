@@ -25,7 +25,7 @@ def main():
     parser.add_argument("output")
     parser.add_argument("--kerning", action="store_true")
     parser.add_argument("texts", nargs="*", type=pathlib.Path)
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
 
     signs = set(SIGNS)
     for text in options.texts:
