@@ -31,7 +31,7 @@ def main():
         whole.update(f"{name} {len(contents[name])} ".encode() + contents[name])
     version = whole.hexdigest()[:16]
     parts = {name: {"size": len(content), "hash": integrity(content)}
-             for name, content in contents.items() if name.endswith((".wasm", ".texts")) or name in ("game.js", "licences.txt")}
+             for name, content in contents.items() if name.endswith((".wasm", ".texts")) or name in ("game.js", "game-simd.js", "licences.txt")}
     for name in ("index.html", "page.js"):
         text = contents[name].decode()
         for word, value in (("VERSION", version), ("PARTS", json.dumps(parts)),

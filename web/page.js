@@ -26,6 +26,7 @@ const parts = PARTS;
 // The quicker one, if this browser has its instructions; both compute the same bits.
 const simd = typeof WebAssembly === "object" && WebAssembly.validate(new Uint8Array(SIMD_PROBE));
 const program = simd ? "game-simd.wasm" : "game.wasm";
+const glue = simd ? "game-simd.js" : "game.js";
 
 function fail(message) {
   part("loading").hidden = true;
@@ -366,9 +367,9 @@ function start() {
   listen();
   watchPixelRatio();
   const script = document.createElement("script");
-  script.src = "game.js";
-  script.integrity = parts["game.js"].hash;
-  script.onerror = () => mend("game.js");
+  script.src = glue;
+  script.integrity = parts[glue].hash;
+  script.onerror = () => mend(glue);
   document.body.append(script);
 }
 

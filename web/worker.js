@@ -10,7 +10,7 @@ const key = (hash) => `${registration.scope}?${encodeURIComponent(hash)}`;
 
 // One of the two is never used in this browser.
 const simd = WebAssembly.validate(new Uint8Array(SIMD_PROBE));
-files.delete(simd ? "game.wasm" : "game-simd.wasm");
+for (const kind of ["wasm", "js"]) files.delete(`game${simd ? "" : "-simd"}.${kind}`);
 
 // The file from the server, kept; nothing if the server has something else.
 async function fetched(cache, path, hash) {

@@ -54,7 +54,7 @@ const withoutPrograms = {
 };
 const half = {
   ...withoutPrograms,
-  "with a damaged script": changed(second, { "game.js": damaged(second.get("game.js")) }),
+  "with a damaged script": changed(second, { "game-simd.js": damaged(second.get("game-simd.js")) }),
   "with an old page.js": changed(second, { "page.js": first.get("page.js") }),
   "with an old index.html": changed(second, { "index.html": first.get("index.html") }),
 };

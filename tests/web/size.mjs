@@ -23,7 +23,7 @@ for (const locale of ["en-GB", "fr-FR"]) {
     await game.waitFor(locale === "en-GB" ? "Player 1 aims" : "Joueur 1 vise");
     const total = [...start.values()].reduce((sum, size) => sum + size, 0);
     console.log(`${locale}: ${total} bytes: ${[...start].map((entry) => entry.join(" ")).join(", ")}`);
-    check(start.has("game.js") && [...start.keys()].some((name) => name.endsWith(".wasm")),
+    check((start.has("game.js") || start.has("game-simd.js")) && [...start.keys()].some((name) => name.endsWith(".wasm")),
       "the game itself is not among them");
     check(!start.has("licences.txt"), "the licences are fetched unasked");
     check(total <= limit, `more than ${limit} bytes`);
