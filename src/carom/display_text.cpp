@@ -11,14 +11,14 @@ namespace carom {
 
 namespace {
 
-struct Range {
+struct CodeRange {
   std::uint32_t first;
   std::uint32_t last;
 };
 
 // Unicode's controls, line and paragraph separators, and format characters; of the latter not the
 // joiners U+200C and U+200D, which scripts and emoji need. Fillers that show nothing, too.
-constexpr Range not_shown[] = {
+constexpr CodeRange not_shown[] = {
     {0x00, 0x1f},       {0x7f, 0x9f},     {0xad, 0xad},     {0x34f, 0x34f},   {0x61c, 0x61c},
     {0x115f, 0x1160},   {0x180e, 0x180e}, {0x3164, 0x3164}, {0xffa0, 0xffa0}, {0x200b, 0x200b},
     {0x200e, 0x200f},   {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff}, {0xfff9, 0xfffb},
@@ -60,9 +60,10 @@ std::string display_text(std::string_view text, std::size_t most) {
   for (std::size_t count = 0; !text.empty(); ++count) {
     if (count == most) return out + "…";
     const auto [code, size] = first_character(text);
-    const bool hidden = std::any_of(
-        std::begin(not_shown), std::end(not_shown),
-        [code = code](const Range& range) { return code >= range.first && code <= range.last; });
+    const bool hidden = std::any_of(std::begin(not_shown), std::end(not_shown),
+                                    [code = code](const CodeRange& range) {
+                                      return code >= range.first && code <= range.last;
+                                    });
     if (size == 0)
       append_code(out, 'x', code);
     else if (hidden)
