@@ -83,6 +83,15 @@ std::optional<int> number(const std::string& name) {
   return value;
 }
 
+int duplicate(int descriptor) {
+#ifdef __EMSCRIPTEN__
+  // Emscripten opens the path anew, and a stream of Node's has none. The program uses it no more.
+  return descriptor;
+#else
+  return ::fcntl(descriptor, F_DUPFD_CLOEXEC, 3);
+#endif
+}
+
 }  // namespace
 
 std::optional<int> own_descriptor(const fs::path& path) {
@@ -115,7 +124,7 @@ void Output::open(const std::string& path) {
     if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY)
       errno = EBADF;
     else
-      descriptor = ::fcntl(*own, F_DUPFD_CLOEXEC, 3);
+      descriptor = duplicate(*own);
   } else {
     opened_by_path_ = true;
     constexpr int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY;

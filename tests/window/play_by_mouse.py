@@ -103,7 +103,7 @@ def billiards(window, pictures):
           "the resized window shows next to nothing")
     window.xdotool("windowsize", window.id, WIDTH, HEIGHT)
     time.sleep(0.5)
-    # Back to the title: the game is kept, with no question. Here it is to be out of the way.
+    # Back to the title: the game is saved, with no question; "Continue" stands above the others.
     window.key("Escape")
     window.wait_for("title screen")
 
@@ -111,7 +111,7 @@ def billiards(window, pictures):
 def practice(window, pictures):
     """A shot, taken back and repeated, edited by keys and wheel; a pull; practice leaves without a
     question."""
-    window.click(330, 402)
+    window.click(330, 431)
     window.wait_for("practice: Player 1 aims")
     window.click(460, 357)
     window.click(820, 361)
@@ -149,9 +149,9 @@ def practice(window, pictures):
 
 
 def continue_and_replay(window, data):
-    """A game kept is gone on with by a window that knows nothing else; a replay is copied, pasted,
+    """A saved game is gone on with by a window that knows nothing else; a replay is copied, pasted,
     and saved."""
-    window.click(220, 402)
+    window.click(220, 431)
     window.wait_for("Player 1 aims")
     window.click(418, 379)
     window.click(300, 350)
