@@ -92,6 +92,14 @@ int duplicate(int descriptor) {
 #endif
 }
 
+bool find_status(int descriptor, struct ::stat& status) {
+  const bool found = ::fstat(descriptor, &status) == 0;
+#ifdef __EMSCRIPTEN__
+  if (descriptor <= STDERR_FILENO) return true;  // nothing is known of Node's own streams
+#endif
+  return found;
+}
+
 }  // namespace
 
 std::optional<int> own_descriptor(const fs::path& path) {
@@ -138,7 +146,7 @@ void Output::open(const std::string& path) {
     }
   }
   if (descriptor < 0) return fail("cannot be opened for writing");
-  if (::fstat(descriptor, &status_) != 0 || !(file_ = ::fdopen(descriptor, "wb"))) {
+  if (!find_status(descriptor, status_) || !(file_ = ::fdopen(descriptor, "wb"))) {
     fail("cannot be opened for writing");
     ::close(descriptor);
     return;

@@ -17,7 +17,7 @@ await withPage({ width: 390, height: 844 }, async (game, context, server) => {
   const words = await text.textContent();
   for (const part of ["Angry Balls", "CLI11", "JSON for Modern C++", "UTF8-CPP", "stb", "Lato", "zlib", "SDL",
     "Emscripten", "musl", "Apache License 2.0"])
-    check(new RegExp(`^${part.replaceAll("+", "\\+")}.*\n=+\n\s*\S`, "m").test(words), `nothing of ${part}`);
+    check(new RegExp(`^${part.replaceAll("+", "\\+")}.*\n=+\n\\s*\\S`, "m").test(words), `nothing of ${part}`);
   for (const sentence of ["Reserved Font Name", "system/lib/compiler-rt", "system/lib/libcxx/", "Sam Lantinga"])
     check(words.includes(sentence), `no word of ${sentence}`);
   check(!words.includes("was not found where this program was built"), "a text is missing");
