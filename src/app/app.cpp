@@ -6,15 +6,8 @@
 #include <utility>
 
 #include "app/hud/lesson.hpp"
-#include "app/screens/angry_balls_screen.hpp"
-#include "app/screens/billiards_screen.hpp"
-#include "app/screens/kept_list.hpp"
-#include "app/screens/level_menu.hpp"
-#include "app/screens/load_screen.hpp"
-#include "app/screens/replay_list.hpp"
-#include "app/screens/replay_screen.hpp"
-#include "app/screens/settings_screen.hpp"
-#include "app/screens/title_screen.hpp"
+#include "app/screens/dialog_screen.hpp"
+#include "app/screens/make_screen.hpp"
 #include "app/storage/links.hpp"
 #include "app/widgets/level_fault.hpp"
 #include "app/widgets/tip.hpp"
@@ -49,7 +42,8 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
     : words_(start.language),
       store_(store),
       session_(store, clipboard, with_shipped(std::move(levels)), std::move(host)),
-      view_(View::of(width, height)) {
+      view_(View::of(width, height)),
+      stack_(session_.sounds) {
   session_.system_language = start.language;
   session_.system_reduced_motion = session_.host.reduced_motion;
   if (start.asked) session_.asked_language = start.language;
@@ -59,7 +53,8 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
   if (session_.host.touch) words_.take_hand(InputDevice::finger);
   laid_out_for_ = words_.hand();
   view_.touch = session_.host.touch;
-  go(Transition::title);
+  stack_.resize(view_);
+  go(ShowTitle{});
 }
 
 void App::event(const Input& input) {
@@ -67,8 +62,7 @@ void App::event(const Input& input) {
     view_ = View::of(resized->width, resized->height, resized->density);
     view_.touch = words_.hand() == InputDevice::finger;
     atlas_.clear();  // the sizes in use have changed
-    screen_->resize(view_);
-    if (help_) help_->resize(view_);
+    stack_.resize(view_);
     return;
   }
   quiet_ = nanoseconds{0};
@@ -79,8 +73,8 @@ void App::event(const Input& input) {
              std::holds_alternative<PadMoved>(input) ||
              std::holds_alternative<PadUnplugged>(input)) {
     for (const Input& meant : pad_.event(input, steers())) give(meant);
-  } else if (help_ && std::holds_alternative<KeyPressed>(input)) {
-    give(input);  // help wants letters: it binds them
+  } else if (screen().letters() == Letters::keys && std::holds_alternative<KeyPressed>(input)) {
+    give(input);
   } else if (const auto meant = session_.keyboard.bindings.meaning(input)) {
     give(*meant);
   }
@@ -90,9 +84,8 @@ void App::event(const Input& input) {
 void App::take_texts(Language language, std::string file) {
   if (!load_texts(language, std::move(file))) return;
   speak(session_, words_);
-  atlas_.clear();          // of what it has, little is needed any more
-  screen_->resize(view_);  // buttons are written anew
-  if (help_) help_->resize(view_);
+  atlas_.clear();        // of what it has, little is needed any more
+  stack_.resize(view_);  // buttons are written anew
 }
 
 void App::mute() {
@@ -103,13 +96,13 @@ void App::mute() {
                      {session_.keyboard.name(Command::mute)}));
 }
 
-/// In the settings, once they were changed.
+/// Saves them with the settings, once they were changed.
 void App::keep_keys() {
+  if (session_.settings.get().keys == session_.keyboard.bindings) return;
   Settings settings = session_.settings.get();
-  if (settings.keys == session_.keyboard.bindings) return;
   settings.keys = session_.keyboard.bindings;
   session_.settings.set(std::move(settings));
-  screen_->resize(view_);  // buttons name keys
+  stack_.resize(view_);  // buttons name keys
 }
 
 std::vector<SoundEvent> App::take_sounds() {
@@ -135,29 +128,22 @@ void App::note_hand(const Input& input) {
   if (words_.hand() == laid_out_for_ || mouse_held_ || !fingers_.none()) return;
   laid_out_for_ = words_.hand();
   view_.touch = laid_out_for_ == InputDevice::finger;
-  screen_->resize(view_);
-  if (help_) help_->resize(view_);
+  stack_.resize(view_);
 }
 
 void App::give(const Input& input) {
-  if (std::holds_alternative<KeyReleased>(input) ||
-      std::holds_alternative<CommandReleased>(input)) {
-    // It may have been pressed before something came to lie over the screen.
-    for (const auto& screen : below_) screen->event(input);
-    return go(screen_->event(input));
-  }
-  if (help_) {
-    if (!help_->event(input)) help_.reset();
-    keep_keys();
-    return;
+  const Letters letters = screen().letters();
+  if (letters == Letters::keys) {
+    go(stack_.event(input));
+    return keep_keys();
   }
   const auto* typed = std::get_if<TextTyped>(&input);
-  const bool asks = typed && typed->text == "?" && !screen_->typing();
+  const bool asks = typed && typed->text == "?" && letters == Letters::commands;
   if (is_key(input, Key::help) || asks) {
-    go(screen_->event(PointerCancelled{}));  // nothing is held meanwhile
-    return go(Transition::help);
+    go(stack_.event(PointerCancelled{}));  // nothing is held meanwhile
+    return go(ShowHelp{});
   }
-  if (std::holds_alternative<CommandPressed>(input) && screen_->typing()) return;  // letters
+  if (std::holds_alternative<CommandPressed>(input) && letters == Letters::text) return;
   if (is_command(input, Command::mute))
     mute();
   else
@@ -169,13 +155,13 @@ void App::give_to_screen(const Input& input) {
                     std::holds_alternative<TextTyped>(input) ||
                     std::holds_alternative<WheelTurned>(input) ||
                     std::holds_alternative<Steered>(input);
-  if (does && session_.teach && screen_->aim_prompt()) {
+  if (does && session_.teach && screen().aim_prompt()) {
     session_.teach = false;
     Settings settings = session_.settings.get();
     settings.taught = true;
     session_.settings.set(std::move(settings));
   }
-  go(screen_->event(input));
+  go(stack_.event(input));
 }
 
 void App::iterate(nanoseconds elapsed) {
@@ -185,14 +171,13 @@ void App::iterate(nanoseconds elapsed) {
     quiet_ = nanoseconds{0};
     give(meant);
   }
-  if (!help_) go(screen_->iterate(elapsed));  // the game waits while help is read
+  go(stack_.iterate(elapsed));
 }
 
 bool App::animating() const {
   if (pad_.held() || toast_.active()) return true;
-  if (help_) return false;
   const bool calls = quiet_ >= nudge_after && quiet_ % nudge_after < nudge_time;
-  return screen_->animating() || (calls && session_.settings.get().hints && screen_->aim_prompt());
+  return stack_.animating() || (calls && session_.settings.get().hints && screen().aim_prompt());
 }
 
 void App::teach_beginners() {
@@ -205,9 +190,8 @@ void App::teach_beginners() {
 }
 
 void App::watch(replay::Replay replay) {
-  session_.to_watch = std::move(replay);
-  screen_->event(PointerCancelled{});
-  go(Transition::replay);
+  go(stack_.event(PointerCancelled{}));
+  go(Watch{std::move(replay)});
 }
 
 void App::open_link(std::string_view link) {
@@ -228,26 +212,25 @@ void App::open_file(const std::string& name, const std::string& bytes) {
   if (auto read = replay::read_replay(bytes)) return watch(std::move(read).value());
   Level level = read_level(name, bytes);
   if (!level.scene) return refuse(Text::file_refused, problem_of(words_, level));
-  // Kept under a name that says what is in it: the same level again is no second one.
+  // Kept under a name that says what is in it: the same level again is not a second one.
   const std::string file = own_levels + level.identity + ".json";
   const bool kept = store_.save_new(file, bytes).ok();
   level.origin = Origin::own;
   play(std::move(level));
-  if (!kept) session_.notice = Notice{words_(Text::level_not_kept), {}};
+  if (!kept) go(message(words_, words_(Text::level_not_kept), {}));
 }
 
 void App::play(Level level) {
   Campaign& campaign = session_.campaign;
   const auto index = campaign.find(level.identity);
-  campaign.current = index.value_or(campaign.levels.size());
+  const std::size_t at = index.value_or(campaign.levels.size());
   if (!index) campaign.levels.push_back(std::move(level));
-  campaign.practice = false;
-  go(Transition::level);
+  go(PlayLevel{at});
 }
 
 void App::refuse(Text title, std::string line) {
-  session_.notice = Notice{words_(title), std::move(line)};
-  go(Transition::title);
+  go(ShowTitle{});
+  go(message(words_, words_(title), {{std::move(line), {}, {}}}));
 }
 
 const DrawList& App::draw() {
@@ -260,90 +243,30 @@ const DrawList& App::draw() {
     list_.stamps = &stamps_;
     const bool calm = session_.calm();
     Canvas canvas{list_, font_, view_, calm, session_.settings.get().screen_shake && !calm};
-    screen_->draw(canvas);
+    stack_.draw(canvas);
     const bool hints = session_.settings.get().hints;
-    if (const auto call = screen_->aim_prompt(); call && !help_) {
+    if (const auto call = screen().aim_prompt()) {
       if (session_.teaches())
         draw_lesson(canvas, *call, words_);
       else if (quiet_ >= nudge_after && hints)
         draw_nudge(canvas, *call, nudge_phase(quiet_), words_);
     }
-    if (help_) help_->draw(canvas);
     draw_tip(canvas);
     toast_.draw(canvas);
   } while (atlas_.full());
   return list_;
 }
 
-void App::go(Transition transition) {
-  const auto show = [&](std::unique_ptr<Screen> screen) {
-    screen_ = std::move(screen);
-    below_.clear();
-  };
-  const auto cover = [&](std::unique_ptr<Screen> screen) {
-    below_.push_back(std::exchange(screen_, std::move(screen)));
-  };
-  switch (transition) {
-    case Transition::stay:
-      return;
-    case Transition::quit:
-      quit_requested_ = true;
-      return;
-    case Transition::title:
-      show(std::make_unique<TitleScreen>(words_, session_));
-      break;
-    case Transition::billiards:
-      show(std::make_unique<BilliardsScreen>(words_, session_));
-      break;
-    case Transition::practice_table:
-      show(std::make_unique<BilliardsScreen>(words_, session_, BilliardsScreen::Mode::practice));
-      break;
-    case Transition::levels:
-      show(std::make_unique<LevelMenu>(words_, session_));
-      break;
-    case Transition::level:
-      show(std::make_unique<AngryBallsScreen>(words_, session_));
-      break;
-    case Transition::load:
-      show(std::make_unique<LoadScreen>(words_, session_));
-      break;
-    case Transition::resume:
-      show(resumed());
-      break;
-    case Transition::kept_games:
-      show(std::make_unique<KeptList>(words_, session_));
-      break;
-    case Transition::replays:
-      show(std::make_unique<ReplayList>(words_, session_));
-      break;
-    case Transition::replay: {
-      auto player = replay::Player::create(*std::exchange(session_.to_watch, {}));
-      if (!player) return;  // a game that has outgrown every limit
-      cover(std::make_unique<ReplayScreen>(words_, session_, std::move(player).value()));
-      break;
-    }
-    case Transition::settings:
-      cover(std::make_unique<SettingsScreen>(words_, session_));
-      break;
-    case Transition::help:
-      help_.emplace(words_, session_);
-      help_->resize(view_);
-      return;
-    case Transition::back:
-      screen_ = std::move(below_.back());
-      below_.pop_back();
-      break;
-  }
-  help_.reset();
-  screen_->resize(view_);
-}
-
-std::unique_ptr<Screen> App::resumed() {
-  auto loaded = *std::exchange(session_.loaded, {});
-  if (auto* table = std::get_if<BilliardsRecorder>(&loaded))
-    return std::make_unique<BilliardsScreen>(words_, session_, std::move(*table));
-  return std::make_unique<AngryBallsScreen>(words_, session_,
-                                            std::move(std::get<LevelRecorder>(loaded)));
+void App::go(Navigation request) {
+  request = stack_.apply(std::move(request));
+  if (std::holds_alternative<Quit>(request)) quit_requested_ = true;
+  const bool over = lies_over(request);
+  auto screen = make_screen(words_, session_, std::move(request));
+  if (!screen) return;
+  if (over)
+    stack_.cover(std::move(screen));
+  else
+    stack_.show(std::move(screen));
 }
 
 }  // namespace app

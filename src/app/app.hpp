@@ -12,9 +12,8 @@
 #include "app/input/fingers.hpp"
 #include "app/input/pad.hpp"
 #include "app/play/session.hpp"
-#include "app/screens/help.hpp"
+#include "app/screens/screen_stack.hpp"
 #include "app/text/text.hpp"
-#include "app/widgets/screen.hpp"
 #include "app/widgets/toast.hpp"
 
 namespace app {
@@ -38,8 +37,7 @@ class App {
   void name_keys(std::function<std::string(Key)> label) {
     session_.keyboard.label = std::move(label);
   }
-  /// Shows a replay; closing it leads back to what was on screen, of which nothing is held any
-  /// more.
+  /// Shows a replay over what is on screen, which lets go of what it holds.
   void watch(replay::Replay replay);
   /// Opens what a link carries behind the address, "#replay=TEXT" or "#level=TEXT"; tells the
   /// player if it is wrong. A link without either changes nothing.
@@ -56,10 +54,11 @@ class App {
   const Atlas& atlas() const { return atlas_; }
 
   /// What is on screen, whose turn it is, scores and balls left, in one line: the window's title.
-  std::string describe() const { return help_ ? help_->describe() : screen_->describe(); }
+  std::string describe() const { return stack_.top().describe(); }
   /// The picture changes without input; otherwise the platform may sleep.
   bool animating() const;
-  const Screen& screen() const { return *screen_; }
+  /// The uppermost one.
+  const Screen& screen() const { return stack_.top(); }
 
   /// What is to be heard since the last call; nothing while muted.
   std::vector<SoundEvent> take_sounds();
@@ -75,9 +74,8 @@ class App {
   void give(const Input& input);
   void give_to_screen(const Input& input);
   void note_hand(const Input& input);
-  bool steers() const { return !help_ && screen_->aim_prompt().has_value(); }
-  void go(Transition transition);
-  std::unique_ptr<Screen> resumed();
+  bool steers() const { return screen().aim_prompt().has_value(); }
+  void go(Navigation request);
   void mute();
   void keep_keys();
   void play(Level level);
@@ -92,11 +90,7 @@ class App {
   Stamps stamps_{atlas_};
   DrawList list_;
   Toast toast_;
-  std::unique_ptr<Screen> screen_;
-  /// Kept while settings or replays lie over them, the uppermost last: a replay may be opened from
-  /// outside at any time.
-  std::vector<std::unique_ptr<Screen>> below_;
-  std::optional<Help> help_;  ///< over the screen, which waits
+  ScreenStack stack_;
   InputDevice laid_out_for_{};
   bool mouse_held_ = false;
   Fingers fingers_;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/player.hpp"
+#include "app/staged.hpp"
 #include "app/view/level_view.hpp"
 
 namespace {
@@ -38,15 +39,16 @@ class AngryBallsScreenTest : public testing::Test {
     start();
   }
   void start() {
-    screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::en), session);
+    screen =
+        std::make_unique<Staged<app::AngryBallsScreen>>(app::Words(app::Language::en), session);
     screen->resize(view);
   }
-  app::Transition click(app::Point at, app::PointerButton button = app::PointerButton::left) {
+  app::Navigation click(app::Point at, app::PointerButton button = app::PointerButton::left) {
     screen->event(app::PointerMoved{at});
     screen->event(app::PointerPressed{at, button});
     return screen->event(app::PointerReleased{at, button});
   }
-  app::Transition key(app::Key key) {
+  app::Navigation key(app::Key key) {
     return screen->event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
   }
   app::Point launch() const { return screen->viewport().to_window({100, 12}); }
@@ -77,7 +79,7 @@ class AngryBallsScreenTest : public testing::Test {
       if (box.text.find(text) != std::string::npos) return true;
     return false;
   }
-  app::Transition press(std::string_view text) {
+  app::Navigation press(std::string_view text) {
     app::Rect area;
     for (const app::Box& box : picture().boxes)
       if (box.kind == app::Box::Kind::button && box.text == text) area = box.area;
@@ -92,7 +94,7 @@ class AngryBallsScreenTest : public testing::Test {
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};
   app::Campaign& campaign = session.campaign;
-  std::unique_ptr<app::AngryBallsScreen> screen;
+  std::unique_ptr<Staged<app::AngryBallsScreen>> screen;
 };
 
 TEST_F(AngryBallsScreenTest, TwoClicksThrowExactly) {
@@ -115,7 +117,7 @@ TEST_F(AngryBallsScreenTest, OnlyAClickOnTheProjectileTakesIt) {
 
 TEST_F(AngryBallsScreenTest, EscapeAndRightClickTakeTheFirstClickBack) {
   click(launch());
-  EXPECT_EQ(key(app::Key::escape), app::Transition::stay);
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
   click(launch() + app::Point{100, -50});
   EXPECT_EQ(screen->game().phase(), Phase::aim);
   click(launch());
@@ -163,8 +165,8 @@ TEST_F(AngryBallsScreenTest, LeftAloneForAnHourItStandsStillAndIsStillKept) {
   replay::Replay played = recorder.replay();
   played.moves.back().steps = replay::max_move_steps - 5;  // as if it had waited for so long
   const auto steps = recorder.game().world().steps();
-  screen = std::make_unique<app::AngryBallsScreen>(app::Words(app::Language::en), session,
-                                                   app::LevelRecorder(recorder.game(), played));
+  screen = std::make_unique<Staged<app::AngryBallsScreen>>(
+      app::Words(app::Language::en), session, app::LevelRecorder(recorder.game(), played));
   screen->resize(view);
   pass(30ms);
   EXPECT_TRUE(screen->animating());
@@ -221,8 +223,9 @@ TEST_F(AngryBallsScreenTest, WonAsSoonAsNoEnemyIsLeft) {
   press("Restart");
   win();
   EXPECT_TRUE(shows("Best: 300"));
-  EXPECT_EQ(press("Next level"), app::Transition::level);
-  EXPECT_EQ(campaign.current, 1u);
+  const app::Navigation next = press("Next level");
+  ASSERT_TRUE(asks_for<app::PlayLevel>(next));
+  EXPECT_EQ(std::get<app::PlayLevel>(next).level, 1u);
 }
 
 TEST_F(AngryBallsScreenTest, AfterTheLastLevelThereIsNoNext) {
@@ -230,7 +233,7 @@ TEST_F(AngryBallsScreenTest, AfterTheLastLevelThereIsNoNext) {
   start();
   win();
   EXPECT_FALSE(shows("Next level"));
-  EXPECT_EQ(press("Menu"), app::Transition::levels);
+  EXPECT_TRUE(asks_for<app::ShowLevels>(press("Menu")));
 }
 
 TEST_F(AngryBallsScreenTest, TheNextLevelIsOneThatCanBePlayed) {
@@ -238,18 +241,19 @@ TEST_F(AngryBallsScreenTest, TheNextLevelIsOneThatCanBePlayed) {
                          {"bad", carom::Error{.problem = "is bad"}, "is bad", {}});
   start();
   win();
-  EXPECT_EQ(key(app::Key::enter), app::Transition::level);
-  EXPECT_EQ(campaign.current, 2u);
+  const app::Navigation next = key(app::Key::enter);
+  ASSERT_TRUE(asks_for<app::PlayLevel>(next));
+  EXPECT_EQ(std::get<app::PlayLevel>(next).level, 2u);
 }
 
 TEST_F(AngryBallsScreenTest, EscapeLeavesWithNoQuestionButFirstTheFocus) {
-  EXPECT_EQ(key(app::Key::escape), app::Transition::levels);
+  EXPECT_TRUE(asks_for<app::ShowLevels>(key(app::Key::escape)));
   throw_by(20, 10);
   pass(50ms);
   key(app::Key::tab);
-  EXPECT_EQ(key(app::Key::escape), app::Transition::stay);
-  EXPECT_EQ(key(app::Key::escape), app::Transition::levels);
-  EXPECT_EQ(press("Menu"), app::Transition::levels);
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::ShowLevels>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::ShowLevels>(press("Menu")));
 }
 
 TEST_F(AngryBallsScreenTest, RestartStartsTheLevelAgain) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/greedy_player.hpp"
+#include "app/staged.hpp"
 
 namespace {
 
@@ -14,12 +15,12 @@ class BilliardsScreenTest : public testing::Test {
  protected:
   BilliardsScreenTest() { screen.resize(app::View::of(1280, 720)); }
 
-  app::Transition click(app::Point at, app::PointerButton button = app::PointerButton::left) {
+  app::Navigation click(app::Point at, app::PointerButton button = app::PointerButton::left) {
     screen.event(app::PointerMoved{at});
     screen.event(app::PointerPressed{at, button});
     return screen.event(app::PointerReleased{at, button});
   }
-  app::Transition key(app::Key key) {
+  app::Navigation key(app::Key key) {
     return screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
   }
   app::Point window(double x, double y) const { return screen.viewport().to_window({x, y}); }
@@ -63,7 +64,7 @@ class BilliardsScreenTest : public testing::Test {
   app::MemoryStore store;
   app::MemoryClipboard clipboard;
   app::Session session{store, clipboard, {}};
-  app::BilliardsScreen screen{app::Words(app::Language::en), session};
+  Staged<app::BilliardsScreen> screen{app::Words(app::Language::en), session};
 };
 
 TEST_F(BilliardsScreenTest, TwoClicksShoot) {
@@ -116,7 +117,7 @@ TEST_F(BilliardsScreenTest, AClickBesideTheCueBallOnlyTellsWhatToDo) {
 
 TEST_F(BilliardsScreenTest, EscapeAndRightClickTakeTheFirstClickBack) {
   click(cue());
-  EXPECT_EQ(key(app::Key::escape), app::Transition::stay);
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
   click(window(300, 200));
   EXPECT_EQ(screen.game().phase(), Phase::aim);
   click(cue());
@@ -173,21 +174,21 @@ TEST_F(BilliardsScreenTest, TheSameShotWhateverTheFrameRate) {
 }
 
 TEST_F(BilliardsScreenTest, AFreshGameIsLeftWithoutAsking) {
-  EXPECT_EQ(click(button("Close")), app::Transition::title);
-  EXPECT_EQ(key(app::Key::escape), app::Transition::title);
+  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Close"))));
+  EXPECT_TRUE(asks_for<app::ShowTitle>(key(app::Key::escape)));
 }
 
 TEST_F(BilliardsScreenTest, EscapeFirstLeavesTheFocus) {
   shoot({cue(), window(300, 200)});
   watch();
   key(app::Key::tab);
-  EXPECT_EQ(key(app::Key::escape), app::Transition::stay);
-  EXPECT_EQ(key(app::Key::escape), app::Transition::title);
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::ShowTitle>(key(app::Key::escape)));
 }
 
 TEST_F(BilliardsScreenTest, TheFirstTabIsOnTheGear) {
   key(app::Key::tab);
-  EXPECT_EQ(key(app::Key::enter), app::Transition::settings);
+  EXPECT_TRUE(asks_for<app::ShowSettings>(key(app::Key::enter)));
 }
 
 TEST_F(BilliardsScreenTest, KeysStartToAimAtTheNearestRed) {
@@ -221,7 +222,7 @@ TEST_F(BilliardsScreenTest, AStartedGameIsGivenUpOnlyAfterAQuestion) {
   EXPECT_EQ(screen.game().world().steps(), 0u);
   shoot({cue(), window(300, 200)});
   screen.iterate(50ms);
-  EXPECT_EQ(click(button("Close")), app::Transition::title);
+  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Close"))));
 }
 
 TEST_F(BilliardsScreenTest, TheTableWaitsWhileAQuestionIsOpen) {

@@ -7,6 +7,7 @@
 
 #include "app/player.hpp"
 #include "app/screens/billiards_screen.hpp"
+#include "app/staged.hpp"
 #include "app/widgets/tip.hpp"
 #include "project_file.hpp"
 #include "replay/player.hpp"
@@ -156,7 +157,7 @@ class Walk {
     app::MemoryStore store;
     app::MemoryClipboard clipboard;
     app::Session session(store, clipboard, {});
-    app::BilliardsScreen screen(
+    Staged<app::BilliardsScreen> screen(
         app::Words(how_.language), session,
         app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
     app::View view = app::View::of(size().width, size().height, size().density);

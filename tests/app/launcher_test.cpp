@@ -5,6 +5,7 @@
 
 #include "app/screens/angry_balls_screen.hpp"
 #include "app/screens/billiards_screen.hpp"
+#include "app/staged.hpp"
 #include "games/launch.hpp"
 
 namespace {
@@ -268,7 +269,7 @@ template <class Screen>
 class KeyboardOnly : public testing::Test {
  protected:
   KeyboardOnly() { screen.resize(view); }
-  app::Transition key(Key key) {
+  app::Navigation key(Key key) {
     return screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
   }
   app::DrawList picture() {
@@ -318,16 +319,17 @@ TYPED_TEST(KeyboardOnly, ReachesTheButtonsByTabAndComesBackByArrows) {
   this->key(Key::tab);
   this->key(Key::tab);  // settings, restart
   this->key(Key::up);
-  EXPECT_EQ(this->key(Key::enter), app::Transition::stay) << "the focus went back to the aim";
+  EXPECT_TRUE(asks_for<app::Stay>(this->key(Key::enter))) << "the focus went back to the aim";
   EXPECT_GT(carom::length(this->screen.game().world().ball(0).velocity), 0);
 }
 
 TYPED_TEST(KeyboardOnly, TheFocusedButtonGetsEnter) {
   this->key(Key::left);
   for (int i = 0; i < 3; ++i) this->key(Key::tab);  // settings, restart, close
-  EXPECT_EQ(this->key(Key::enter),
-            (std::is_same_v<TypeParam, app::BilliardsScreen> ? app::Transition::title
-                                                             : app::Transition::levels));
+  const app::Navigation request = this->key(Key::enter);
+  EXPECT_TRUE((std::is_same_v<TypeParam, app::BilliardsScreen>
+                   ? asks_for<app::ShowTitle>(request)
+                   : asks_for<app::ShowLevels>(request)));
 }
 
 TYPED_TEST(KeyboardOnly, APullThrowsWhatWasShown) {

@@ -5,6 +5,7 @@
 #include "app/hud/practice_strip.hpp"
 #include "app/player.hpp"
 #include "app/screens/billiards_screen.hpp"
+#include "app/staged.hpp"
 #include "app/view/level_view.hpp"
 #include "app/view/table_view.hpp"
 #include "project_file.hpp"
@@ -379,7 +380,7 @@ TEST_P(Layout, EndOfBilliards) {
   app::Session session(store, game.clipboard(), {});
   const app::View view = app::View::of(size.width, size.height);
   for (const bool named : {false, true}) {
-    app::BilliardsScreen screen(
+    Staged<app::BilliardsScreen> screen(
         words, session,
         app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
     if (named) words.name_players(long_names);

@@ -4,6 +4,7 @@
 #include "app/player.hpp"
 #include "app/screens/angry_balls_screen.hpp"
 #include "app/screens/billiards_screen.hpp"
+#include "app/staged.hpp"
 #include "games/launch.hpp"
 
 namespace {
@@ -165,7 +166,7 @@ TEST(PracticeLevel, TakesThrowsBackAndKeepsNoScore) {
                  {.role = carom::Role::enemy, .position = {300, 12}, .radius = 12, .solidity = 10}};
   app::Session session{store, clipboard, {app::level_of(level)}};
   session.campaign.practice = true;
-  app::AngryBallsScreen screen(app::Words(app::Language::en), session);
+  Staged<app::AngryBallsScreen> screen(app::Words(app::Language::en), session);
   screen.resize(app::View::of(1000, 720));
   const auto key = [&](Key which) {
     screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{which}));

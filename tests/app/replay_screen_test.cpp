@@ -22,7 +22,7 @@ class ReplayScreenTest : public testing::TestWithParam<const char*> {
   }
   ReplayScreenTest() : ReplayScreenTest(sound(GetParam())) {}
 
-  app::Transition key(Key key) {
+  app::Navigation key(Key key) {
     return screen.event(*app::KeyBindings{}.meaning(app::KeyPressed{key}));
   }
   void look_ahead() {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/screens/billiards_screen.hpp"
+#include "app/screens/screen_stack.hpp"
 #include "platform/null_platform.hpp"
 #include "platform/png.hpp"
 #include "replay/player.hpp"
@@ -270,17 +271,18 @@ class Visitor {
     for (const replay::Move& move : whole.moves) steps += move.steps;
     while (player.steps() + 1 < steps) (void)player.step();
     app::Session session(store, game.clipboard(), {});
-    app::BilliardsScreen screen(
-        words_, session,
-        app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole));
+    app::ScreenStack screens(session.sounds);
     const app::View view = app::View::of(size_.width, size_.height);
-    screen.resize(view);
-    for (int i = 0; i < 500; ++i) screen.iterate(20ms);
+    screens.resize(view);
+    screens.show(std::make_unique<app::BilliardsScreen>(
+        words_, session,
+        app::BilliardsRecorder(std::get<games::billiards::Game>(player.game()), whole)));
+    for (int i = 0; i < 500; ++i) screens.iterate(20ms);
     app::Atlas atlas;
     app::Font font{atlas};
     app::DrawList list;
     app::Canvas canvas{list, font, view};
-    screen.draw(canvas);
+    screens.draw(canvas);
     app::Image picture(size_.width, size_.height, {0, 0, 0, 255});
     app::rasterize(list, atlas, picture);
     save("billiards-over", list, picture);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/graphics/canvas.hpp"
+#include "app/hud/aim_prompt.hpp"
 #include "app/storage/aim_settings.hpp"
 #include "app/text/text.hpp"
-#include "app/widgets/screen.hpp"
 
 namespace app {
 

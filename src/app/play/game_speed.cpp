@@ -7,10 +7,9 @@
 namespace app {
 
 bool GameSpeed::event(const Input& input, bool free, bool watches) {
-  // Under the settings it is let go unheard.
   if (std::holds_alternative<PointerReleased>(input) ||
-      std::holds_alternative<PointerCancelled>(input) || is_key(input, Key::settings))
-    pressed_.reset();
+      std::holds_alternative<PointerCancelled>(input))
+    let_go();
   if (const auto* released = std::get_if<CommandReleased>(&input)) {
     if (released->command == Command::fast) fast_ = false;
     return false;
@@ -27,7 +26,7 @@ bool GameSpeed::event(const Input& input, bool free, bool watches) {
   if (is_command(input, Command::pause)) {
     paused_ = true;
     fast_ = false;
-    pressed_.reset();
+    let_go();
     return true;
   }
   if (!is_command(input, Command::fast)) return false;

@@ -22,6 +22,8 @@ class GameSpeed {
   /// Whether it was meant for the pace: then it is done with. `free`: the game is on top, and may
   /// be paused. `watches`: a press does nothing else there.
   bool event(const Input& input, bool free, bool watches);
+  /// Nothing is held any more.
+  void let_go() { pressed_.reset(); }
   bool paused() const { return paused_; }
   /// Slow from now on; at most once a game.
   void decisive();

@@ -20,11 +20,9 @@ class Played {
  public:
   using Recorder = replay::Recorder<Game>;
 
-  /// The session must outlive this.
-  Played(Session& session, Recorder recorder)
-      : session_(session),
-        recorder_(std::move(recorder)),
-        place_(std::exchange(session.continued, {})) {}
+  /// The session must outlive this. `place`: where the game is saved already.
+  Played(Session& session, Recorder recorder, KeptGames::Place place)
+      : session_(session), recorder_(std::move(recorder)), place_(std::move(place)) {}
 
   const Game& game() const { return recorder_.game(); }
   const Recorder& recorder() const { return recorder_; }

@@ -27,15 +27,16 @@ games::billiards::Options options_of(const Session& session, bool alone) {
           .keep_turn = settings.keep_turn};
 }
 
-Pasted take_pasted(Session& session) {
+Pasted read_pasted(const Session& session) {
   const auto text = session.clipboard.text();
-  if (!text) return Pasted::later;
+  if (!text) return {};
   auto read = replay::read_replay(behind(links::replay, *text).value_or(*text));
-  if (!read)
-    return fault_of(read.errors()) == ReplayFault::other_version ? Pasted::other_version
-                                                                 : Pasted::damaged;
-  session.to_watch = std::move(read).value();
-  return Pasted::replay;
+  if (!read) return {.fault = fault_of(read.errors())};
+  return {.replay = std::move(read).value()};
+}
+
+Text pasted_fault(ReplayFault fault) {
+  return fault == ReplayFault::other_version ? Text::paste_other_version : Text::paste_damaged;
 }
 
 std::string shared_text(const Session& session, const replay::Replay& replay) {

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/audio/sound.hpp"
@@ -22,13 +21,7 @@ namespace app {
 using BilliardsRecorder = replay::Recorder<games::billiards::Game>;
 using LevelRecorder = replay::Recorder<games::angry_balls::Game>;
 
-/// Something that went wrong, to be told on the title screen.
-struct Notice {
-  std::string title;
-  std::string line;
-};
-
-/// What the screens share and hand on to each other.
+/// Shared by all screens for as long as the program runs.
 struct Session {
   /// Store and clipboard must outlive this.
   Session(Store& store, Clipboard& shared, std::vector<Level> levels, HostEnvironment where = {})
@@ -61,14 +54,8 @@ struct Session {
   Sounds sounds;                          ///< noted and not yet played
   bool system_reduced_motion = false;     ///< what the desktop or browser asks for
   HostEnvironment host;
-  std::optional<Notice> notice;
   Keyboard keyboard;
-  bool teach = false;                          ///< how to shoot is not known yet
-  std::optional<replay::Replay> to_watch;      ///< what Transition::replay shows
-  std::optional<KeptGames::Kept> to_continue;  ///< what Transition::load goes on with
-  KeptGames::Place continued;                  ///< where the game loaded is kept
-  /// What Transition::resume goes on with.
-  std::optional<std::variant<BilliardsRecorder, LevelRecorder>> loaded;
+  bool teach = false;  ///< how to shoot is not known yet
 };
 
 /// The language to speak now.
@@ -78,15 +65,16 @@ void speak(const Session& session, Words& words);
 /// What a new game of billiards is played by; `alone`: for practice.
 games::billiards::Options options_of(const Session& session, bool alone);
 
-enum class Pasted : std::uint8_t {
-  replay,  ///< it is the replay to watch
-  later,   ///< it comes with Key::paste
-  damaged,
-  other_version,
+/// The clipboard's content. Neither a replay nor a fault: it comes later, with Key::paste.
+struct Pasted {
+  std::optional<replay::Replay> replay{};
+  std::optional<ReplayFault> fault{};
 };
 
-/// Makes what the clipboard holds, a replay's text or a link to one, the replay to watch.
-Pasted take_pasted(Session& session);
+/// Reads the clipboard: a replay's text, or a link to one.
+Pasted read_pasted(const Session& session);
+/// The fault in words.
+Text pasted_fault(ReplayFault fault);
 
 /// What copying a replay gives: its text, or a link to it.
 std::string shared_text(const Session& session, const replay::Replay& replay);

@@ -27,8 +27,9 @@ AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session)
   if (campaign_.practice) played_.begin_practice();
 }
 
-AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session, LevelRecorder played)
-    : PlayScreen(words, session, played, WorldView(played.game().level(), true)),
+AngryBallsScreen::AngryBallsScreen(const Words& words, Session& session, LevelRecorder played,
+                                   KeptGames::Place place)
+    : PlayScreen(words, session, played, std::move(place), WorldView(played.game().level(), true)),
       campaign_(session.campaign),
       bar_(words) {
   begin();
@@ -90,9 +91,8 @@ void AngryBallsScreen::after_step() {
   if (carom::length(at - last) >= trace_spacing * game().level().width) trace_.push_back(at);
 }
 
-Transition AngryBallsScreen::next_game() {
-  campaign_.current = *campaign_.next();
-  return Transition::level;
+Navigation AngryBallsScreen::next_game() {
+  return PlayLevel{*campaign_.next(), played_.practice().has_value()};
 }
 
 Over AngryBallsScreen::ending() {
@@ -127,11 +127,11 @@ Over AngryBallsScreen::ending() {
           game().world(), won ? epilogue_time : nanoseconds{0}};
 }
 
-AngryBallsScreen::Answer AngryBallsScreen::waiting_event(NextOffer& offer, const Input& input) {
+AngryBallsScreen::Handled AngryBallsScreen::waiting_event(NextOffer& offer, const Input& input) {
   if (!offer.event(input, focus_elsewhere(), on_button(), session_.sounds)) return std::nullopt;
   blur();
   if (played_.apply(angry_balls::Next{})) happened();
-  return Transition::stay;
+  return Stay{};
 }
 
 Buttons* AngryBallsScreen::waiting_buttons() {

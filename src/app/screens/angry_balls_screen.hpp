@@ -15,8 +15,9 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
  public:
   /// The level must be one that can be played.
   AngryBallsScreen(const Words& words, Session& session);
-  /// Goes on with a game of the campaign's current level.
-  AngryBallsScreen(const Words& words, Session& session, LevelRecorder played);
+  /// Goes on with a game of the campaign's current level. `place`: where it is saved.
+  AngryBallsScreen(const Words& words, Session& session, LevelRecorder played,
+                   KeptGames::Place place = {});
 
  private:
   Doing doing() const override;
@@ -30,8 +31,8 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
   void after_step() override;
   void begin_launch() override { trace_.clear(); }
   std::optional<Dialog> question_before(UserBar::Command) const override { return std::nullopt; }
-  Transition leave_to() const override { return Transition::levels; }
-  Transition next_game() override;
+  Navigation leave_to() const override { return ShowLevels{}; }
+  Navigation next_game() override;
 
   UserBar& bar() override { return bar_; }
   const UserBar& bar() const override { return bar_; }
@@ -41,7 +42,7 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
   void draw_ground(Canvas& canvas) const override;
   void find_pointer() override { pointer_ = viewport().to_window(game().launch_place()); }
 
-  Answer waiting_event(NextOffer& offer, const Input& input) override;
+  Handled waiting_event(NextOffer& offer, const Input& input) override;
   Buttons* waiting_buttons() override;
   void place_waiting(NextOffer& offer) override;
   void draw_waiting(Canvas& canvas, const NextOffer& offer, bool over_effects) const override;

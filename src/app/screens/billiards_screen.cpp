@@ -17,8 +17,10 @@ BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Mode mode
   if (mode == Mode::practice) played_.begin_practice();
 }
 
-BilliardsScreen::BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played)
-    : PlayScreen(words, session, played, WorldView(played.game().world().scene(), false)),
+BilliardsScreen::BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played,
+                                 KeptGames::Place place)
+    : PlayScreen(words, session, played, std::move(place),
+                 WorldView(played.game().world().scene(), false)),
       bar_(words) {
   pointer_ = viewport().to_window(billiards::cue_start);
   begin();
@@ -122,7 +124,7 @@ void BilliardsScreen::find_pointer() {
   if (!world_view_.box().contains(pointer_)) pointer_ = viewport().to_window(billiards::cue_start);
 }
 
-BilliardsScreen::Answer BilliardsScreen::waiting_event(PlaceBall& place, const Input& input) {
+BilliardsScreen::Handled BilliardsScreen::waiting_event(PlaceBall& place, const Input& input) {
   const PlaceBall::Outcome outcome = place.event(input, stage());
   if (outcome == PlaceBall::Outcome::untouched) return std::nullopt;
   pointer_ = place.to;
@@ -133,7 +135,7 @@ BilliardsScreen::Answer BilliardsScreen::waiting_event(PlaceBall& place, const I
     follow_phase();
     keep();
   }
-  return Transition::stay;
+  return Stay{};
 }
 
 void BilliardsScreen::draw_waiting(Canvas& canvas, const PlaceBall&, bool over_effects) const {

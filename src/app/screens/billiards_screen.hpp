@@ -14,8 +14,9 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
   enum class Mode : std::uint8_t { game, practice };
 
   BilliardsScreen(const Words& words, Session& session, Mode mode = Mode::game);
-  /// Goes on with a game.
-  BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played);
+  /// Goes on with a game. `place`: where it is saved.
+  BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played,
+                  KeptGames::Place place = {});
 
  private:
   Doing doing() const override;
@@ -27,7 +28,7 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
   void note(const Event& event) override;
   void begin_launch() override { shooter_ = game().player(); }
   std::optional<Dialog> question_before(UserBar::Command command) const override;
-  Transition leave_to() const override { return Transition::title; }
+  Navigation leave_to() const override { return ShowTitle{}; }
 
   UserBar& bar() override { return bar_; }
   const UserBar& bar() const override { return bar_; }
@@ -35,7 +36,7 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
   void draw_bar(Canvas& canvas) const override;
   void find_pointer() override;
 
-  Answer waiting_event(PlaceBall& place, const Input& input) override;
+  Handled waiting_event(PlaceBall& place, const Input& input) override;
   void place_waiting(PlaceBall&) override { find_pointer(); }
   void draw_waiting(Canvas& canvas, const PlaceBall& place, bool over_effects) const override;
   std::optional<AimPrompt> waiting_prompt() const override;

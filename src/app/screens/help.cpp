@@ -129,7 +129,7 @@ void Help::lay_out(std::span<const Section> in_order) {
 
 void Help::turn(std::size_t by) { page_ = (page_ + by) % pages_; }
 
-bool Help::event(const Input& input) {
+Navigation Help::event(const Input& input) {
   if (panel_.index() != 0) {
     auto* const keys_panel = std::get_if<KeysPanel>(&panel_);
     if (!(keys_panel ? keys_panel->event(input, session_.sounds)
@@ -137,28 +137,28 @@ bool Help::event(const Input& input) {
       panel_.emplace<std::monostate>();
       lay_out();
     }
-    return true;
+    return Stay{};
   }
   const auto* typed = std::get_if<TextTyped>(&input);
   if (is_key(input, Key::escape) || is_key(input, Key::help) || (typed && typed->text == "?"))
-    return false;
+    return Back{};
   if (is_key(input, Key::left) || is_key(input, Key::right)) {
     turn(is_key(input, Key::right) ? 1 : pages_ - 1);
-    return true;
+    return Stay{};
   }
   const bool several = pages_ > 1;
-  if (Buttons::move_focus({several ? &pager_ : nullptr, &buttons_}, input)) return true;
+  if (Buttons::move_focus({several ? &pager_ : nullptr, &buttons_}, input)) return Stay{};
   const auto* released = std::get_if<PointerReleased>(&input);
   const bool beside = released && !buttons_.cover(released->at, true) &&
                       !(several && pager_.cover(released->at, true));
   if (const auto turned = several ? pager_.event(input, session_.sounds) : std::nullopt) {
     turn(*turned == next ? 1 : pages_ - 1);
-    return true;
+    return Stay{};
   }
-  if (several && pager_.has_focus() && is_key(input, Key::enter)) return true;
+  if (several && pager_.has_focus() && is_key(input, Key::enter)) return Stay{};
   const auto chosen = buttons_.event(input, session_.sounds);
-  if (!chosen) return !beside;
-  if (*chosen == close) return false;
+  if (chosen ? *chosen == close : beside) return Back{};
+  if (!chosen) return Stay{};
   if (*chosen == keys)
     panel_.emplace<KeysPanel>(words_, keyboard_);
   else if (session_.host.licences.empty() && session_.host.show_licences)
@@ -166,7 +166,7 @@ bool Help::event(const Input& input) {
   else
     panel_.emplace<LicencesPanel>(words_, session_.host.licences);
   resize(view_);
-  return true;
+  return Stay{};
 }
 
 void Help::draw(Canvas& canvas) const {

@@ -7,6 +7,7 @@
 #include "app/play/session.hpp"
 #include "app/screens/keys_panel.hpp"
 #include "app/screens/licences_panel.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/widgets.hpp"
 
@@ -14,16 +15,17 @@ namespace app {
 
 /// All keys, and what mouse, fingers and gamepad do, over any screen; on as many pages as the
 /// window makes of it.
-class Help {
+class Help final : public Screen {
  public:
   /// `session` must outlive this.
   Help(const Words& words, Session& session);
 
-  void resize(const View& view);
-  /// `input` with the keys as they are pressed. False: closed.
-  bool event(const Input& input);
-  void draw(Canvas& canvas) const;
-  std::string describe() const;
+  void resize(const View& view) override;
+  Navigation event(const Input& input) override;
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  Cover cover() const override { return Cover::waiting; }
+  Letters letters() const override { return Letters::keys; }
 
  private:
   struct Line {

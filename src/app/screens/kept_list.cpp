@@ -36,7 +36,6 @@ void KeptList::resize(const View& view) {
   const float pitch = view.button(row_height) + view.px(row_gap);
   per_page_ = static_cast<std::size_t>(std::max((rows_.h + view.px(row_gap)) / pitch, 1.0f));
   show_page(first / per_page_);
-  if (question_) question_->resize(view);
 }
 
 void KeptList::show_page(std::size_t page) {
@@ -70,46 +69,40 @@ void KeptList::show_page(std::size_t page) {
   list_.place_pager(view_, foot_);
 }
 
-Transition KeptList::event(const Input& input) {
-  if (question_) {
-    const auto chosen = question_->event(input, session_.sounds);
-    if (!chosen) return Transition::stay;
-    question_.reset();
-    if (*chosen == yes) {
-      static_cast<void>(session_.kept.remove(doomed_));  // one that stays is listed again
-      names_ = session_.kept.names();
-      show_page(page_);
-    }
-    return Transition::stay;
-  }
-  if (is_key(input, Key::escape)) return Transition::title;
+Navigation KeptList::event(const Input& input) {
+  if (is_key(input, Key::escape)) return ShowTitle{};
   const auto chosen = list_.buttons.event(input, session_.sounds);
-  return chosen ? choose(*chosen) : Transition::stay;
+  return chosen ? choose(*chosen) : Stay{};
 }
 
-Transition KeptList::choose(ButtonId button) {
-  if (button == title) return Transition::title;
+Navigation KeptList::answered(ButtonId button) {
+  if (button == yes) {
+    static_cast<void>(session_.kept.remove(doomed_));  // one that stays is listed again
+    names_ = session_.kept.names();
+    show_page(page_);
+  }
+  return Stay{};
+}
+
+Navigation KeptList::choose(ButtonId button) {
+  if (button == title) return ShowTitle{};
   if (const auto page = list_.page_of(button)) {
     show_page(*page);
-    return Transition::stay;
+    return Stay{};
   }
   Entry& entry = entries_[button / 2];
-  if (button % 2 == 1) {
-    ask(entry);
-    return Transition::stay;
-  }
-  if (!entry.kept) return Transition::stay;
-  session_.to_continue = std::move(entry.kept);
-  return Transition::load;
+  if (button % 2 == 1) return ask(entry);
+  if (!entry.kept) return Stay{};
+  return Load{std::move(*entry.kept)};
 }
 
-void KeptList::ask(const Entry& entry) {
+Navigation KeptList::ask(const Entry& entry) {
   doomed_ = entry.name;
-  question_.emplace(
-      words_(Text::ask_delete_game), std::vector<Dialog::Line>{{describe(entry), {}, {}}},
-      std::vector<Dialog::Button>{{yes, words_(Text::delete_game), words_(Text::tip_delete_game)},
-                                  {no, words_(Text::cancel), words_(Text::tip_close_help)}});
-  question_->resize(view_);
+  const std::string question = words_(Text::ask_delete_game);
+  return Ask{.dialog = Dialog(question, {{describe(entry), {}, {}}},
+                              {{yes, words_(Text::delete_game), words_(Text::tip_delete_game)},
+                               {no, words_(Text::cancel), words_(Text::tip_close_help)}}),
+             .line = described(question)};
 }
 
 /// "Billiards · 12 turns · 300 : 200".
@@ -130,7 +123,6 @@ void KeptList::draw(Canvas& canvas) const {
     list_.buttons.draw_one(canvas, 2 * i + 1, 17);
   }
   list_.draw(canvas);
-  if (question_) question_->draw(canvas);
 }
 
 /// On two lines where one is too long.
@@ -146,10 +138,11 @@ void KeptList::draw_entry(Canvas& canvas, ButtonId button) const {
   list_.buttons.list_box(canvas.list, button, text);
 }
 
-std::string KeptList::describe() const {
+std::string KeptList::describe() const { return described(words_(Text::kept_games)); }
+
+std::string KeptList::described(const std::string& what) const {
   return words_(Text::kept_games_state,
-                {words_(Text::product), question_ ? question_->title() : words_(Text::kept_games),
-                 words_.number(static_cast<int>(names_.size()))});
+                {words_(Text::product), what, words_.number(static_cast<int>(names_.size()))});
 }
 
 }  // namespace app

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/dialog.hpp"
 #include "app/widgets/paged_list.hpp"
-#include "app/widgets/screen.hpp"
 
 namespace app {
 
@@ -18,11 +18,10 @@ class KeptList final : public Screen {
   KeptList(const Words& words, Session& session);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds) override { return Transition::stay; }
+  Navigation event(const Input& input) override;
+  Navigation answered(ButtonId button) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
-  bool animating() const override { return false; }
 
  private:
   /// A line of the page.
@@ -34,11 +33,12 @@ class KeptList final : public Screen {
 
   /// Beside the games, of which each is two items of the list: continue, delete.
   enum Button : ButtonId { title = PagedList::first_own };
-  enum Answer : ButtonId { yes, no };
+  enum Reply : ButtonId { yes, no };
 
   void show_page(std::size_t page);
-  Transition choose(ButtonId button);
-  void ask(const Entry& entry);
+  Navigation choose(ButtonId button);
+  Navigation ask(const Entry& entry);
+  std::string described(const std::string& what) const;
   std::string describe(const Entry& entry) const;
   void draw_entry(Canvas& canvas, ButtonId button) const;
 
@@ -47,8 +47,7 @@ class KeptList final : public Screen {
   std::vector<std::string> names_;
   std::vector<Entry> entries_;  ///< of the page
   PagedList list_;
-  std::optional<Dialog> question_;  ///< whether to delete doomed_
-  std::string doomed_;
+  std::string doomed_;  ///< the game that a question asks to delete
   std::size_t per_page_ = 1;
   std::size_t page_ = 0;
   View view_;

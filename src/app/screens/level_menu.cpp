@@ -112,33 +112,32 @@ void LevelMenu::show_page(std::size_t page) {
   foot_ = list_.place_pager(view_, foot_);
 }
 
-Transition LevelMenu::event(const Input& input) {
-  if (is_key(input, Key::escape)) return Transition::title;
+Navigation LevelMenu::event(const Input& input) {
+  if (is_key(input, Key::escape)) return ShowTitle{};
   const auto chosen = list_.buttons.event(input, sounds_);
-  return chosen ? choose(*chosen) : Transition::stay;
+  return chosen ? choose(*chosen) : Stay{};
 }
 
-Transition LevelMenu::choose(ButtonId button) {
+Navigation LevelMenu::choose(ButtonId button) {
   told_.reset();
-  if (button == title) return Transition::title;
+  if (button == title) return ShowTitle{};
   if (button == practice) {
     campaign_.practice = !campaign_.practice;
     campaign_.current = list_.first();
     resize(view_);
-    return Transition::stay;
+    return Stay{};
   }
   if (const auto page = list_.page_of(button)) {
     campaign_.current = *page * columns_ * rows_;
     resize(view_);
-    return Transition::stay;
+    return Stay{};
   }
   const std::size_t level = list_.first() + button;
   if (!campaign_.levels[level].scene) {
     told_ = level;
-    return Transition::stay;
+    return Stay{};
   }
-  campaign_.current = level;
-  return Transition::level;
+  return PlayLevel{level, campaign_.practice};
 }
 
 /// What a card's tip says: what is to be done, or the whole of a broken level's error.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/paged_list.hpp"
-#include "app/widgets/screen.hpp"
 #include "app/widgets/widgets.hpp"
 
 namespace app {
@@ -15,18 +15,16 @@ class LevelMenu final : public Screen {
   LevelMenu(const Words& words, Session& session);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds) override { return Transition::stay; }
+  Navigation event(const Input& input) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
-  bool animating() const override { return false; }
 
  private:
   /// Beside the levels, an item of the list each.
   enum Button : ButtonId { practice = PagedList::first_own, title };
 
   void show_page(std::size_t page);
-  Transition choose(ButtonId button);
+  Navigation choose(ButtonId button);
   void draw_card(Canvas& canvas, ButtonId button) const;
   static void draw_picture(Canvas& canvas, const Rect& area, const carom::Scene& level);
   std::string about(std::size_t index) const;

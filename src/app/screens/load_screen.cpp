@@ -22,10 +22,10 @@ std::uint64_t steps_at_once(const replay::Player& player) {
   return std::max<std::uint64_t>(ball_steps_at_once / (things + 1), 1);
 }
 
-LoadScreen::LoadScreen(const Words& words, Session& session)
+LoadScreen::LoadScreen(const Words& words, Session& session, KeptGames::Kept kept)
     : words_(words),
       session_(session),
-      kept_(*std::exchange(session.to_continue, {})),
+      kept_(std::move(kept)),
       buttons_({{0, words(Text::cancel)}}, 0) {
   auto player = replay::Player::create(kept_.game);
   if (player) player_ = std::move(player).value();
@@ -40,30 +40,28 @@ void LoadScreen::resize(const View& view) {
       centered({panel_.center().x, panel_.bottom() - view.px(56)}, view.px(200), view.button(48)));
 }
 
-Transition LoadScreen::event(const Input& input) {
+Navigation LoadScreen::event(const Input& input) {
   const bool cancelled = is_key(input, Key::escape) || buttons_.event(input, session_.sounds);
-  return cancelled ? Transition::title : Transition::stay;
+  if (cancelled) return ShowTitle{};
+  return Stay{};
 }
 
-Transition LoadScreen::iterate(nanoseconds) {
+Navigation LoadScreen::iterate(nanoseconds) {
   if (!player_) return refuse(ReplayFault::damaged);
-  if (player_->look_ahead(steps_at_once(*player_))) return Transition::stay;
+  if (player_->look_ahead(steps_at_once(*player_))) return Stay{};
   return player_->divergence() ? refuse(ReplayFault::diverged) : finish();
 }
 
-Transition LoadScreen::refuse(ReplayFault fault) {
+Navigation LoadScreen::refuse(ReplayFault fault) {
   session_.kept.refuse(kept_.place.name, fault);
-  return Transition::title;
+  return ShowTitle{};
 }
 
-Transition LoadScreen::finish() {
+Navigation LoadScreen::finish() {
   player_->seek(player_->turns().size());
   if (replay::over(player_->game())) return refuse(ReplayFault::finished);
-  session_.continued = std::move(kept_.place);
-  if (const auto* table = std::get_if<games::billiards::Game>(&player_->game())) {
-    session_.loaded = BilliardsRecorder(*table, player_->replay());
-    return Transition::resume;
-  }
+  if (const auto* table = std::get_if<games::billiards::Game>(&player_->game()))
+    return Resume{BilliardsRecorder(*table, player_->replay()), std::move(kept_.place)};
   const auto& level = std::get<games::angry_balls::Game>(player_->game());
   Campaign& campaign = session_.campaign;
   const Level played = level_of(level.level());
@@ -71,8 +69,7 @@ Transition LoadScreen::finish() {
   campaign.current = index.value_or(campaign.levels.size());
   // A level whose file has changed or gone can still be played to its end.
   if (!index) campaign.levels.push_back(played);
-  session_.loaded = LevelRecorder(level, player_->replay());
-  return Transition::resume;
+  return Resume{LevelRecorder(level, player_->replay()), std::move(kept_.place)};
 }
 
 void LoadScreen::draw(Canvas& canvas) const {

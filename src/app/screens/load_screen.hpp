@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
-#include "app/widgets/screen.hpp"
 #include "app/widgets/widgets.hpp"
 #include "replay/player.hpp"
 
@@ -14,19 +14,18 @@ namespace app {
 /// the way. One that does not go as recorded is refused.
 class LoadScreen final : public Screen {
  public:
-  /// `session.to_continue` says which; it must be there.
-  LoadScreen(const Words& words, Session& session);
+  LoadScreen(const Words& words, Session& session, KeptGames::Kept kept);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds elapsed) override;
+  Navigation event(const Input& input) override;
+  Navigation iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override { return words_(Text::loading); }
   bool animating() const override { return true; }
 
  private:
-  Transition finish();
-  Transition refuse(ReplayFault fault);
+  Navigation finish();
+  Navigation refuse(ReplayFault fault);
 
   Words words_;
   Session& session_;

@@ -33,9 +33,6 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
               launcher && launcher->entry ? &*launcher->entry : nullptr, words_, hint(),
               hint_color(*list.palette), played_.practice().has_value(),
               launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
-  const auto* over = std::get_if<Over>(&state_);
-  if (over && over->wait <= nanoseconds{0}) over->dialog.draw(canvas);
-  if (question_) question_->dialog.draw(canvas);
 }
 
 template <class Game, class Waiting>
@@ -77,10 +74,14 @@ Color PlayScreen<Game, Waiting>::hint_color(const Palette& palette) const {
 
 template <class Game, class Waiting>
 std::string PlayScreen<Game, Waiting>::describe() const {
-  std::string line = question_ ? question_->dialog.title() : now();
-  if (game_speed_.paused()) line = words_(Text::paused_state, {line});
-  if (played_.practice()) line = words_(Text::practice_state, {line});
-  return state_line(line);
+  return described(now());
+}
+
+template <class Game, class Waiting>
+std::string PlayScreen<Game, Waiting>::described(std::string what) const {
+  if (game_speed_.paused()) what = words_(Text::paused_state, {what});
+  if (played_.practice()) what = words_(Text::practice_state, {what});
+  return state_line(what);
 }
 
 template class PlayScreen<games::billiards::Game, PlaceBall>;

@@ -13,10 +13,10 @@ namespace app {
 
 template <class Game, class Waiting>
 PlayScreen<Game, Waiting>::PlayScreen(const Words& words, Session& session, Recorder recorder,
-                                      WorldView world_view)
+                                      KeptGames::Place place, WorldView world_view)
     : words_(words),
       session_(session),
-      played_(session, std::move(recorder)),
+      played_(session, std::move(recorder), std::move(place)),
       world_view_(std::move(world_view)),
       strip_(words) {}
 
@@ -44,51 +44,34 @@ void PlayScreen<Game, Waiting>::resize(const View& view) {
 
 template <class Game, class Waiting>
 void PlayScreen<Game, Waiting>::place_parts() {
-  if (question_) question_->dialog.resize(view_);
-  if (auto* over = std::get_if<Over>(&state_)) over->dialog.resize(view_);
   if (auto* waiting = std::get_if<Waiting>(&state_)) place_waiting(*waiting);
 }
 
 template <class Game, class Waiting>
-Transition PlayScreen<Game, Waiting>::event(const Input& input) {
+Navigation PlayScreen<Game, Waiting>::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) pointer_ = moved->at;
   if (const auto* press = std::get_if<PointerPressed>(&input)) {
     pointer_ = press->at;
     touch_ = press->touch;
   }
   for (const auto part :
-       {&PlayScreen::change_speed, &PlayScreen::ask, &PlayScreen::aim,
-        static_cast<Answer (PlayScreen::*)(const Input&)>(&PlayScreen::practise), &PlayScreen::act,
+       {&PlayScreen::change_speed, &PlayScreen::aim,
+        static_cast<Handled (PlayScreen::*)(const Input&)>(&PlayScreen::practise), &PlayScreen::act,
         &PlayScreen::move_focus, &PlayScreen::press_bar, &PlayScreen::command})
-    if (const Answer answer = (this->*part)(input)) return *answer;
-  return Transition::stay;
+    if (Handled handled = (this->*part)(input)) return std::move(*handled);
+  return Stay{};
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::change_speed(const Input& input) -> Answer {
+auto PlayScreen<Game, Waiting>::change_speed(const Input& input) -> Handled {
   const auto* launcher = std::get_if<Launcher>(&state_);
-  const bool free =
-      !question_ && !std::holds_alternative<Over>(state_) && !(launcher && launcher->held());
+  const bool free = !std::holds_alternative<Over>(state_) && !(launcher && launcher->held());
   const bool watches = std::holds_alternative<Watching>(state_) && !on_button();
-  return game_speed_.event(input, free, watches) ? Answer(Transition::stay) : std::nullopt;
+  return game_speed_.event(input, free, watches) ? Handled(Stay{}) : std::nullopt;
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::ask(const Input& input) -> Answer {
-  if (!question_) return std::nullopt;
-  // A key that is let go is so beneath a question, too.
-  if (auto* launcher = std::get_if<Launcher>(&state_);
-      launcher && std::holds_alternative<KeyReleased>(input))
-    launcher->event(input, stage());
-  const auto chosen = question_->dialog.event(input, session_.sounds);
-  if (!chosen) return Transition::stay;
-  const UserBar::Command about = question_->about;
-  question_.reset();
-  return *chosen == yes ? obey(about) : Transition::stay;
-}
-
-template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Answer {
+auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Handled {
   auto* launcher = std::get_if<Launcher>(&state_);
   if (!launcher) return std::nullopt;
   const Launcher::Outcome outcome = launcher->event(input, stage());
@@ -99,76 +82,91 @@ auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Answer {
       follow_phase();
       keep();  // leaving while the balls roll takes nothing back
     }
-    return Transition::stay;
+    return Stay{};
   }
   // First what is held is let go.
-  return launcher->held() && is_press_of_key(input) ? Answer(Transition::stay) : std::nullopt;
+  return launcher->held() && is_press_of_key(input) ? Handled(Stay{}) : std::nullopt;
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::practise(const Input& input) -> Answer {
-  // At the end only these two: the others would change what is not seen, or move the focus.
+auto PlayScreen<Game, Waiting>::practise(const Input& input) -> Handled {
+  // Before the window of the end opens only these two: the others would change what is not seen.
   if (!played_.practice() || (std::holds_alternative<Over>(state_) &&
                               !is_key(input, Key::backspace) && !is_command(input, Command::again)))
     return std::nullopt;
   const auto chosen = strip_.event(input, session_.sounds);
   if (!chosen) return std::nullopt;
   practise(*chosen);
-  return Transition::stay;
+  return Stay{};
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::act(const Input& input) -> Answer {
+auto PlayScreen<Game, Waiting>::act(const Input& input) -> Handled {
   if (auto* waiting = std::get_if<Waiting>(&state_)) return waiting_event(*waiting, input);
-  auto* over = std::get_if<Over>(&state_);
-  if (!over) return std::nullopt;
-  if (over->wait > nanoseconds{0}) return Transition::stay;
-  const auto chosen = over->dialog.event(input, session_.sounds);
-  return chosen ? finish(*chosen) : Transition::stay;
+  return std::holds_alternative<Over>(state_) ? Handled(Stay{}) : std::nullopt;
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::move_focus(const Input& input) -> Answer {
+auto PlayScreen<Game, Waiting>::move_focus(const Input& input) -> Handled {
   const bool moved = Buttons::move_focus(
       {&bar().buttons(), played_.practice() ? &strip_.buttons() : nullptr, waiting_buttons()},
       input);
-  return moved ? Answer(Transition::stay) : std::nullopt;
+  return moved ? Handled(Stay{}) : std::nullopt;
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::press_bar(const Input& input) -> Answer {
+auto PlayScreen<Game, Waiting>::press_bar(const Input& input) -> Handled {
   const auto pressed = bar().event(input, session_.sounds);
-  return pressed ? Answer(request(*pressed)) : std::nullopt;
+  return pressed ? Handled(request(*pressed)) : std::nullopt;
 }
 
 template <class Game, class Waiting>
-auto PlayScreen<Game, Waiting>::command(const Input& input) -> Answer {
+auto PlayScreen<Game, Waiting>::command(const Input& input) -> Handled {
   if (is_key(input, Key::settings)) return request(UserBar::Command::settings);
   if (is_key(input, Key::escape)) {
     Buttons* const own = waiting_buttons();
     if (!focus_elsewhere() && !(own && own->has_focus())) return request(UserBar::Command::close);
     blur();
     if (own) own->blur();
-    return Transition::stay;
+    return Stay{};
   }
   if (is_command(input, Command::again)) return request(UserBar::Command::restart);
   return std::nullopt;
 }
 
 template <class Game, class Waiting>
-Transition PlayScreen<Game, Waiting>::request(UserBar::Command command) {
+Navigation PlayScreen<Game, Waiting>::request(UserBar::Command command) {
+  game_speed_.let_go();  // what is pressed is let go unheard under another screen
   auto question = question_before(command);
   if (!question) return obey(command);
-  question_ = Question{std::move(*question), command};
-  place_parts();
-  return Transition::stay;
+  asked_ = command;
+  std::string line = described(question->title());
+  return Ask{.dialog = std::move(*question), .line = std::move(line)};
+}
+
+/// The window of the end.
+template <class Game, class Waiting>
+std::optional<Ask> PlayScreen<Game, Waiting>::opens() {
+  const auto* over = std::get_if<Over>(&state_);
+  if (!over || over->wait > nanoseconds{0}) return std::nullopt;
+  Ask ask{.dialog = over->dialog, .line = describe(), .cover = Cover::running};
+  if (played_.practice())
+    ask.shortcuts = {{Key::backspace, take_back}, {app::Command::again, repeat}};
+  return ask;
 }
 
 template <class Game, class Waiting>
-Transition PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
+Navigation PlayScreen<Game, Waiting>::answered(ButtonId button) {
+  if (std::holds_alternative<Over>(state_)) return finish(button);
+  if (button == yes) return obey(asked_);
+  return Stay{};
+}
+
+template <class Game, class Waiting>
+Navigation PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
   switch (command) {
     case UserBar::Command::settings:
-      return Transition::settings;
+      return ShowSettings{};
     case UserBar::Command::close:
       // A level has moved on while it was offered to throw again.
       if (std::holds_alternative<Waiting>(state_)) keep();
@@ -181,11 +179,11 @@ Transition PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
     show_anew();
     announce_start();
   }
-  return Transition::stay;
+  return Stay{};
 }
 
 template <class Game, class Waiting>
-Transition PlayScreen<Game, Waiting>::finish(ButtonId button) {
+Navigation PlayScreen<Game, Waiting>::finish(ButtonId button) {
   switch (static_cast<EndButton>(button)) {
     case go_on:
       return next_game();
@@ -194,14 +192,15 @@ Transition PlayScreen<Game, Waiting>::finish(ButtonId button) {
     case leave:
       return obey(UserBar::Command::close);
     case watch:
+      return Watch{played_.recorder().replay()};
+    case take_back:
+      practise(TakeBack{});
+      break;
+    case repeat:
+      practise(Repeat{});
       break;
   }
-  if (played_.practice()) {
-    practise(TakeBack{});
-    return Transition::stay;
-  }
-  session_.to_watch = played_.recorder().replay();
-  return Transition::replay;
+  return Stay{};
 }
 
 template <class Game, class Waiting>
@@ -257,17 +256,17 @@ void PlayScreen<Game, Waiting>::keep() {
 }
 
 template <class Game, class Waiting>
-Transition PlayScreen<Game, Waiting>::iterate(nanoseconds elapsed) {
-  if (waits()) return Transition::stay;
+Navigation PlayScreen<Game, Waiting>::iterate(nanoseconds elapsed) {
+  if (game_speed_.paused()) return Stay{};
   const Speed speed = game_speed_.pass(elapsed);
   effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
   if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
-  if (!moving()) return Transition::stay;
+  if (!moving()) return Stay{};
   // Slow motion does not hold the window up.
   if (auto* over = std::get_if<Over>(&state_))
     over->wait -= elapsed * std::max(speed.quarters, 4) / 4;
   for (int due = clock_.advance(elapsed, speed); due > 0 && moving(); --due) step();
-  return Transition::stay;
+  return Stay{};
 }
 
 template <class Game, class Waiting>
@@ -334,13 +333,13 @@ template <class Game, class Waiting>
 std::vector<Dialog::Button> PlayScreen<Game, Waiting>::end_buttons() const {
   const bool back = played_.practice().has_value();
   return {{again, words_(Text::play_again), words_(Text::tip_restart)},
-          {watch, words_(back ? Text::take_back : Text::watch_replay),
+          {back ? take_back : watch, words_(back ? Text::take_back : Text::watch_replay),
            words_(back ? Text::tip_take_back : Text::tip_watch)}};
 }
 
 template <class Game, class Waiting>
 std::optional<AimPrompt> PlayScreen<Game, Waiting>::aim_prompt() const {
-  if (waits()) return std::nullopt;
+  if (game_speed_.paused()) return std::nullopt;
   if (std::holds_alternative<Waiting>(state_)) return waiting_prompt();
   if (!std::holds_alternative<Launcher>(state_)) return std::nullopt;
   const carom::Ball lead = game().world().ball(0);
@@ -353,7 +352,8 @@ std::optional<AimPrompt> PlayScreen<Game, Waiting>::aim_prompt() const {
 template <class Game, class Waiting>
 bool PlayScreen<Game, Waiting>::animating() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
-  return !waits() && (moving() || effects_.active() || (launcher && launcher->charging()));
+  return !game_speed_.paused() &&
+         (moving() || effects_.active() || (launcher && launcher->charging()));
 }
 
 template class PlayScreen<games::billiards::Game, PlaceBall>;

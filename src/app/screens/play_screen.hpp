@@ -15,11 +15,11 @@
 #include "app/play/played.hpp"
 #include "app/play/preview.hpp"
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/view/effects.hpp"
 #include "app/view/interpolator.hpp"
 #include "app/view/world_view.hpp"
 #include "app/widgets/dialog.hpp"
-#include "app/widgets/screen.hpp"
 
 namespace app {
 
@@ -33,7 +33,8 @@ struct Over {
 };
 
 /// A game that is played: what the games share. Input goes down a chain in which the first that
-/// answers wins: speed, question, aim, practice, what the player does, focus, bar, commands.
+/// answers wins: speed, aim, practice, what the player does, focus, bar, commands. Questions and
+/// the window of the end are opened over this screen (Ask).
 ///
 /// `Game` is games::billiards::Game or games::angry_balls::Game. `Waiting` is what the player does
 /// between launches that is the game's own: putting the cue ball down, or taking the next throw.
@@ -41,12 +42,14 @@ template <class Game, class Waiting>
 class PlayScreen : public Screen {
  public:
   void resize(const View& view) final;
-  Transition event(const Input& input) final;
-  Transition iterate(nanoseconds elapsed) final;
+  Navigation event(const Input& input) final;
+  Navigation iterate(nanoseconds elapsed) final;
   void draw(Canvas& canvas) const final;
   std::string describe() const final;
   std::optional<AimPrompt> aim_prompt() const final;
   bool animating() const final;
+  std::optional<Ask> opens() final;
+  Navigation answered(ButtonId button) final;
 
   const Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return world_view_.viewport(); }
@@ -56,14 +59,16 @@ class PlayScreen : public Screen {
  protected:
   using Recorder = typename Played<Game>::Recorder;
   using Event = std::remove_cvref_t<decltype(std::declval<Game>().events().front())>;
-  using Answer = std::optional<Transition>;
+  using Handled = std::optional<Navigation>;
   enum class Doing : std::uint8_t { aim, watch, wait, over };
   /// The end window's buttons.
-  enum EndButton : ButtonId { go_on, again, watch, leave };  // watch: in practice, take back
+  enum EndButton : ButtonId { go_on, again, watch, leave, take_back, repeat };
 
   enum Reply : ButtonId { yes, no };
 
-  PlayScreen(const Words& words, Session& session, Recorder recorder, WorldView world_view);
+  /// `place`: where the game is saved already.
+  PlayScreen(const Words& words, Session& session, Recorder recorder, KeptGames::Place place,
+             WorldView world_view);
   /// The constructor's last step, when all of the game is there.
   void begin();
 
@@ -85,8 +90,8 @@ class PlayScreen : public Screen {
   /// What to ask before a command, if anything; its buttons are a Reply each.
   virtual std::optional<Dialog> question_before(UserBar::Command command) const = 0;
   /// Where the game is left to.
-  virtual Transition leave_to() const = 0;
-  virtual Transition next_game() { return leave_to(); }
+  virtual Navigation leave_to() const = 0;
+  virtual Navigation next_game() { return leave_to(); }
 
   virtual UserBar& bar() = 0;
   virtual const UserBar& bar() const = 0;
@@ -98,7 +103,7 @@ class PlayScreen : public Screen {
   /// Where the pointer is after a change of size.
   virtual void find_pointer() = 0;
 
-  virtual Answer waiting_event(Waiting& waiting, const Input& input) = 0;
+  virtual Handled waiting_event(Waiting& waiting, const Input& input) = 0;
   virtual Buttons* waiting_buttons() { return nullptr; }
   virtual void place_waiting(Waiting&) {}
   virtual void draw_waiting(Canvas&, const Waiting&, bool over_effects) const = 0;
@@ -143,36 +148,30 @@ class PlayScreen : public Screen {
   bool touch_ = false;  ///< a finger was the pointer
 
  private:
-  struct Question {
-    Dialog dialog;
-    UserBar::Command about;
-  };
-
   // The chain.
-  Answer change_speed(const Input& input);
-  Answer ask(const Input& input);
-  Answer aim(const Input& input);
-  Answer practise(const Input& input);
-  Answer act(const Input& input);
-  Answer move_focus(const Input& input);
-  Answer press_bar(const Input& input);
-  Answer command(const Input& input);
+  Handled change_speed(const Input& input);
+  Handled aim(const Input& input);
+  Handled practise(const Input& input);
+  Handled act(const Input& input);
+  Handled move_focus(const Input& input);
+  Handled press_bar(const Input& input);
+  Handled command(const Input& input);
 
-  Transition request(UserBar::Command command);
-  Transition obey(UserBar::Command command);
-  Transition finish(ButtonId button);
+  Navigation request(UserBar::Command command);
+  Navigation obey(UserBar::Command command);
+  Navigation finish(ButtonId button);
   void practise(const PracticeCommand& command);
   void show_anew();
   void step();
-  bool waits() const { return question_ || game_speed_.paused(); }
   const carom::World& shown_world() const;
   Launcher::Stage stage() const;
   void draw_launcher(Canvas& canvas, const Launcher& launcher) const;
+  std::string described(std::string what) const;
   std::string hint() const;
   Color hint_color(const Palette& palette) const;
 
   decltype(std::declval<Game>().phase()) phase_{};  ///< that state_ follows
-  std::optional<Question> question_;                ///< before something is given up
+  UserBar::Command asked_{};                        ///< what a question is about
   Clock clock_;
   GameSpeed game_speed_;
   Foresight<Game> foresight_;

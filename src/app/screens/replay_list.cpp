@@ -71,37 +71,34 @@ void ReplayList::show_page(std::size_t page) {
   if (list_.pages() > 1 && !view_.narrow()) message_box_.cut_right(view_.px(row_gap));
 }
 
-Transition ReplayList::event(const Input& input) {
-  if (is_key(input, Key::escape)) return Transition::title;
+Navigation ReplayList::event(const Input& input) {
+  if (is_key(input, Key::escape)) return ShowTitle{};
   if (is_key(input, Key::paste)) return take_pasted_replay();
   const auto chosen = list_.buttons.event(input, session_.sounds);
-  return chosen ? choose(*chosen) : Transition::stay;
+  return chosen ? choose(*chosen) : Stay{};
 }
 
-Transition ReplayList::choose(ButtonId button) {
+Navigation ReplayList::choose(ButtonId button) {
   message_.clear();
-  if (button == title) return Transition::title;
+  if (button == title) return ShowTitle{};
   if (button == paste) return take_pasted_replay();
   if (const auto page = list_.page_of(button)) {
     show_page(*page);
-    return Transition::stay;
+    return Stay{};
   }
   const Entry& entry = entries_[button];
   if (!entry.replay) {
     message_ = fault(entry);
-    return Transition::stay;
+    return Stay{};
   }
-  session_.to_watch = entry.replay;
-  return Transition::replay;
+  return Watch{*entry.replay};
 }
 
-Transition ReplayList::take_pasted_replay() {
-  const Pasted pasted = take_pasted(session_);
-  if (pasted == Pasted::replay) return Transition::replay;
-  if (pasted != Pasted::later)
-    message_ =
-        words_(pasted == Pasted::other_version ? Text::paste_other_version : Text::paste_damaged);
-  return Transition::stay;
+Navigation ReplayList::take_pasted_replay() {
+  Pasted pasted = read_pasted(session_);
+  if (pasted.replay) return Watch{std::move(*pasted.replay)};
+  if (pasted.fault) message_ = words_(pasted_fault(*pasted.fault));
+  return Stay{};
 }
 
 std::string ReplayList::fault(const Entry& entry) const {

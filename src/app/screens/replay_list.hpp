@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/paged_list.hpp"
-#include "app/widgets/screen.hpp"
 
 namespace app {
 
@@ -17,11 +17,9 @@ class ReplayList final : public Screen {
   ReplayList(const Words& words, Session& session);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds) override { return Transition::stay; }
+  Navigation event(const Input& input) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
-  bool animating() const override { return false; }
 
  private:
   /// A line of the page.
@@ -35,8 +33,8 @@ class ReplayList final : public Screen {
   enum Button : ButtonId { paste = PagedList::first_own, title };
 
   void show_page(std::size_t page);
-  Transition choose(ButtonId button);
-  Transition take_pasted_replay();
+  Navigation choose(ButtonId button);
+  Navigation take_pasted_replay();
   std::string describe(const Entry& entry) const;
   std::string fault(const Entry& entry) const;
   void draw_entry(Canvas& canvas, ButtonId index) const;

@@ -124,7 +124,7 @@ void ReplayScreen::resize(const View& view) {
   session_.sounds.turn(world_view_.viewport().turned());
 }
 
-Transition ReplayScreen::event(const Input& input) {
+Navigation ReplayScreen::event(const Input& input) {
   const auto* press_at = std::get_if<PointerPressed>(&input);
   if (press_at && press_at->button == PointerButton::left && timeline_.contains(press_at->at))
     seek(turn_at(timeline_, player_, press_at->at));
@@ -147,19 +147,19 @@ Transition ReplayScreen::event(const Input& input) {
       case Key::copy:
         return press(copy_text);
       case Key::escape:
-        if (!buttons_.has_focus()) return Transition::back;
+        if (!buttons_.has_focus()) return Back{};
         buttons_.blur();
-        return Transition::stay;
+        return Stay{};
       default:
         break;
     }
   }
   if (is_command(input, Command::pause)) return press(play);
   const auto chosen = buttons_.event(input, session_.sounds);
-  return chosen ? press(*chosen) : Transition::stay;
+  return chosen ? press(*chosen) : Stay{};
 }
 
-Transition ReplayScreen::press(ButtonId button) {
+Navigation ReplayScreen::press(ButtonId button) {
   message_.clear();
   const std::size_t now = wanted_.value_or(player_.turn());
   const bool at_end = ended_ && !wanted_;
@@ -195,10 +195,10 @@ Transition ReplayScreen::press(ButtonId button) {
       copy();
       break;
     case close:
-      return Transition::back;
+      return Back{};
   }
   buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
-  return Transition::stay;
+  return Stay{};
 }
 
 void ReplayScreen::play_or_pause() {
@@ -252,7 +252,7 @@ void ReplayScreen::step() {
              player_.game());
 }
 
-Transition ReplayScreen::iterate(nanoseconds elapsed) {
+Navigation ReplayScreen::iterate(nanoseconds elapsed) {
   effects_.advance(elapsed);
   if (!complete_) complete_ = !player_.look_ahead(steps_at_once(player_));
   go_where_wanted();
@@ -262,7 +262,7 @@ Transition ReplayScreen::iterate(nanoseconds elapsed) {
     for (; due > 0 && playing_; --due) step();
   }
   buttons_.relabel(play, words_(playing_ ? Text::pause : Text::play));
-  return Transition::stay;
+  return Stay{};
 }
 
 bool ReplayScreen::animating() const {

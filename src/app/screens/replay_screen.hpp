@@ -5,11 +5,11 @@
 
 #include "app/play/clock.hpp"
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
 #include "app/view/effects.hpp"
 #include "app/view/interpolator.hpp"
 #include "app/view/world_view.hpp"
-#include "app/widgets/screen.hpp"
 #include "app/widgets/widgets.hpp"
 #include "replay/player.hpp"
 
@@ -22,8 +22,8 @@ class ReplayScreen final : public Screen {
   ReplayScreen(const Words& words, Session& session, replay::Player player);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds elapsed) override;
+  Navigation event(const Input& input) override;
+  Navigation iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override;
@@ -38,7 +38,7 @@ class ReplayScreen final : public Screen {
   void change_speed(int by);
   void save();
   void copy();
-  Transition press(ButtonId button);
+  Navigation press(ButtonId button);
 
   void draw_world(Canvas& canvas) const;
   void draw_top(Canvas& canvas) const;

@@ -45,8 +45,8 @@ void draw_ground(Canvas& canvas, const Rect& box, Color color, bool focused) {
 
 }  // namespace
 
-SettingsScreen::SettingsScreen(const Words& words, Session& session)
-    : words_(words), session_(session) {}
+SettingsScreen::SettingsScreen(const Words& words, Session& session, std::size_t page)
+    : words_(words), session_(session), page_(page) {}
 
 const SettingsRow* SettingsScreen::row_of(Control control) const {
   return control < pages || control >= help() ? nullptr : &rows()[control - pages];
@@ -110,11 +110,11 @@ void SettingsScreen::resize(const View& view) {
   hint_ = rest;
 }
 
-Transition SettingsScreen::event(const Input& input) {
+Navigation SettingsScreen::event(const Input& input) {
   if (const auto* moved = std::get_if<PointerMoved>(&input)) {
     hovered_ = find(moved->at);
   } else if (const auto* down = std::get_if<PointerPressed>(&input)) {
-    if (down->button != PointerButton::left) return Transition::stay;
+    if (down->button != PointerButton::left) return Stay{};
     hovered_ = pressed_ = find(down->at);
     if (pressed_) session_.sounds.note({SoundKind::click});
     const SettingsRow* row = pressed_ ? row_of(*pressed_) : nullptr;
@@ -132,10 +132,10 @@ Transition SettingsScreen::event(const Input& input) {
   } else if (const auto* down_key = std::get_if<KeyPressed>(&input)) {
     return key(down_key->key);
   }
-  return Transition::stay;
+  return Stay{};
 }
 
-Transition SettingsScreen::key(Key key) {
+Navigation SettingsScreen::key(Key key) {
   const SettingsRow* row = focused_ ? row_of(*focused_) : nullptr;
   const bool naming = named() != nullptr;
   const auto step = [&](std::size_t by) {
@@ -146,7 +146,7 @@ Transition SettingsScreen::key(Key key) {
     case Key::escape:
     case Key::settings:
       focus(std::nullopt);
-      return Transition::back;
+      return Back{};
     case Key::tab:
     case Key::down:
       step(1);
@@ -183,19 +183,19 @@ Transition SettingsScreen::key(Key key) {
     default:
       break;
   }
-  return Transition::stay;
+  return Stay{};
 }
 
-Transition SettingsScreen::press(Control control, Point at) {
-  if (control == close()) return Transition::back;
-  if (control == help()) return Transition::help;
+Navigation SettingsScreen::press(Control control, Point at) {
+  if (control == close()) return Back{};
+  if (control == help()) return ShowHelp{};
   if (control < pages) {
     show(control);
-    return Transition::stay;
+    return Stay{};
   }
   Rect value = value_box(control);
   change(*row_of(control), value.cut_left(arrow_).contains(at) ? -1 : 1);
-  return Transition::stay;
+  return Stay{};
 }
 
 /// A name that was typed holds when its line is left.

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/screens/settings_rows.hpp"
 #include "app/text/text.hpp"
-#include "app/widgets/screen.hpp"
 
 namespace app {
 
@@ -18,15 +18,14 @@ namespace app {
 /// before; Tab, up and down choose a line, left and right change it.
 class SettingsScreen final : public Screen {
  public:
-  SettingsScreen(const Words& words, Session& session);
+  SettingsScreen(const Words& words, Session& session, std::size_t page = 0);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds) override { return Transition::stay; }
+  Navigation event(const Input& input) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
-  bool animating() const override { return false; }
-  bool typing() const override { return named() != nullptr; }
+
+  Letters letters() const override { return named() ? Letters::text : Letters::commands; }
 
  private:
   /// What can be clicked or have the focus, in that order: the pages, the rows, "Help", "Close".
@@ -44,8 +43,8 @@ class SettingsScreen final : public Screen {
   Rect value_box(Control control) const;
   std::optional<Control> find(Point at) const;
 
-  Transition key(Key key);
-  Transition press(Control control, Point at);
+  Navigation key(Key key);
+  Navigation press(Control control, Point at);
   void focus(std::optional<Control> control);
   void show(std::size_t page);
   void change(const SettingsRow& row, int by);
@@ -65,7 +64,7 @@ class SettingsScreen final : public Screen {
 
   Words words_;
   Session& session_;
-  std::size_t page_ = 0;
+  std::size_t page_;
   std::optional<Control> hovered_;
   std::optional<Control> pressed_;
   std::optional<Control> focused_;

@@ -2,6 +2,7 @@
 
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
+#include "app/screens/dialog_screen.hpp"
 #include "app/screens/load_screen.hpp"
 #include "app/screens/title_art.hpp"
 #include "carom/display_text.hpp"
@@ -34,10 +35,6 @@ TitleScreen::TitleScreen(const Words& words, Session& session)
   // Who plays on after scoring only playing it tells.
   if (latest_ && latest_->game.options.keep_turn)
     if (auto player = replay::Player::create(latest_->game)) ahead_ = std::move(player).value();
-  if (const auto notice = std::exchange(session.notice, {}))
-    tell(notice->title, {{notice->line, {}, {}}});
-  else
-    tell_refused();
 }
 
 std::string TitleScreen::label_of(Choice choice) const {
@@ -108,7 +105,6 @@ std::string TitleScreen::offer() const {
 
 void TitleScreen::resize(const View& view) {
   view_ = view;
-  if (message_) message_->resize(view);
   Rect rest = view.area();
   const bool tall = view.height > view.width;
   rail_ = rest;
@@ -167,76 +163,67 @@ void TitleScreen::resize(const View& view) {
   }
 }
 
-Transition TitleScreen::iterate(nanoseconds) {
-  if (!ahead_ || ahead_->look_ahead(steps_at_once(*ahead_))) return Transition::stay;
+Navigation TitleScreen::iterate(nanoseconds) {
+  if (!ahead_ || ahead_->look_ahead(steps_at_once(*ahead_))) return Stay{};
   if (!ahead_->divergence()) {
     ahead_->seek(ahead_->turns().size());
     to_play_ = std::get<games::billiards::Game>(ahead_->game()).player();
     resize(view_);
   }
   ahead_.reset();
-  return Transition::stay;
+  return Stay{};
 }
 
-Transition TitleScreen::event(const Input& input) {
-  if (message_) {
-    if (message_->event(input, session_.sounds)) {
-      message_.reset();
-      tell_refused();
-    }
-    return Transition::stay;
-  }
+Navigation TitleScreen::event(const Input& input) {
   if (is_key(input, Key::escape) && buttons_.has_focus()) {
     buttons_.blur();
-    return Transition::stay;
+    return Stay{};
   }
-  if (is_key(input, Key::escape))
-    return session_.host.can_quit ? Transition::quit : Transition::stay;
-  if (is_key(input, Key::settings)) return Transition::settings;
+  if (is_key(input, Key::escape)) {
+    if (session_.host.can_quit) return Quit{};
+    return Stay{};
+  }
+  if (is_key(input, Key::settings)) return ShowSettings{};
   if (is_key(input, Key::paste)) {
-    const Pasted pasted = take_pasted(session_);
-    if (pasted == Pasted::replay) return Transition::replay;
-    if (pasted != Pasted::later)
-      tell(words_(Text::paste_failed),
-           {{words_(pasted == Pasted::other_version ? Text::paste_other_version
-                                                    : Text::paste_damaged),
-             {},
-             {}}});
-    return Transition::stay;
+    Pasted pasted = read_pasted(session_);
+    if (pasted.replay) return Watch{std::move(*pasted.replay)};
+    if (pasted.fault)
+      return message(words_, words_(Text::paste_failed),
+                     {{words_(pasted_fault(*pasted.fault)), {}, {}}});
+    return Stay{};
   }
   const auto chosen = buttons_.event(input, session_.sounds);
-  return chosen ? choose(static_cast<Choice>(*chosen)) : Transition::stay;
+  return chosen ? choose(static_cast<Choice>(*chosen)) : Stay{};
 }
 
-Transition TitleScreen::choose(Choice choice) {
+Navigation TitleScreen::choose(Choice choice) {
   switch (choice) {
     case Choice::continue_latest:
-      session_.to_continue = latest_;
-      return Transition::load;
+      return Load{*latest_};
     case Choice::kept_games:
-      return Transition::kept_games;
+      return ShowSavedGames{};
     case Choice::billiards:
-      return Transition::billiards;
+      return PlayBilliards{};
     case Choice::practice_table:
-      return Transition::practice_table;
+      return PlayBilliards{.practice = true};
     case Choice::angry_balls:
-      return Transition::levels;
+      return ShowLevels{};
     case Choice::replays:
-      return Transition::replays;
+      return ShowReplays{};
     case Choice::settings:
-      return Transition::settings;
+      return ShowSettings{};
     case Choice::open_file:
       session_.host.choose_file();
-      return Transition::stay;
+      return Stay{};
     case Choice::quit:
       break;
   }
-  return Transition::quit;
+  return Quit{};
 }
 
 /// Settings that could not be read, or a game kept that cannot be continued, and what became of the
 /// file.
-void TitleScreen::tell_refused() {
+std::optional<Ask> TitleScreen::opens() {
   if (const auto trouble = session_.settings.take_trouble();
       trouble != KeptSettings::Trouble::none) {
     std::vector<Dialog::Line> lines{{words_(Text::settings_unreadable), {}, {}}};
@@ -246,10 +233,10 @@ void TitleScreen::tell_refused() {
     } else {
       lines.push_back({words_(Text::settings_blocked), {}, {}});
     }
-    return tell(words_(Text::settings_broken), std::move(lines));
+    return message(words_, words_(Text::settings_broken), std::move(lines));
   }
   const auto refused = session_.kept.take_refused();
-  if (!refused) return;
+  if (!refused) return std::nullopt;
   std::vector<Dialog::Line> lines{{words_(text_of(refused->fault)), {}, {}}};
   if (refused->set_aside) {
     lines.push_back({words_(Text::kept_set_aside), {}, {}});
@@ -257,16 +244,10 @@ void TitleScreen::tell_refused() {
   } else {
     lines.push_back({words_(Text::kept_blocked), {}, {}});
   }
-  tell(words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
-                                               : Text::kept_refused_level),
-       std::move(lines));
-}
-
-void TitleScreen::tell(const std::string& title, std::vector<Dialog::Line> lines) {
-  message_.emplace(
-      title, std::move(lines),
-      std::vector<Dialog::Button>{{0, words_(Text::ok), words_(Text::tip_close_help)}});
-  message_->resize(view_);
+  return message(words_,
+                 words_(refused->kind == Kind::billiards ? Text::kept_refused_billiards
+                                                         : Text::kept_refused_level),
+                 std::move(lines));
 }
 
 void TitleScreen::draw(Canvas& canvas) const {
@@ -284,12 +265,10 @@ void TitleScreen::draw(Canvas& canvas) const {
     buttons_.draw_one(canvas, id_of(choice), large ? 22 : 18);
   }
   canvas.list.tip.reset();  // it stands below the name
-  if (message_) message_->draw(canvas);
 }
 
 std::string TitleScreen::describe() const {
-  return words_(Text::product) + " · " +
-         (message_ ? message_->title() : words_(Text::title_screen));
+  return words_(Text::product) + " · " + words_(Text::title_screen);
 }
 
 }  // namespace app

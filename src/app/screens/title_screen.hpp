@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
 #include "app/widgets/dialog.hpp"
-#include "app/widgets/screen.hpp"
 #include "app/widgets/widgets.hpp"
 #include "replay/player.hpp"
 
@@ -18,11 +18,12 @@ class TitleScreen final : public Screen {
   TitleScreen(const Words& words, Session& session);
 
   void resize(const View& view) override;
-  Transition event(const Input& input) override;
-  Transition iterate(nanoseconds elapsed) override;
+  Navigation event(const Input& input) override;
+  Navigation iterate(nanoseconds elapsed) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override { return ahead_.has_value(); }
+  std::optional<Ask> opens() override;
 
  private:
   enum class Choice : std::uint8_t {
@@ -38,9 +39,7 @@ class TitleScreen final : public Screen {
   };
   static ButtonId id_of(Choice choice) { return static_cast<ButtonId>(choice); }
   static Text tip_of(Choice choice);
-  Transition choose(Choice choice);
-  void tell_refused();
-  void tell(const std::string& title, std::vector<Dialog::Line> lines);
+  Navigation choose(Choice choice);
   std::string offer() const;
   std::string label_of(Choice choice) const;
 
@@ -48,7 +47,6 @@ class TitleScreen final : public Screen {
   Session& session_;
   std::vector<Choice> choices_;  ///< of the buttons
   View view_;
-  std::optional<Dialog> message_;          ///< what is to be told first
   std::optional<KeptGames::Kept> latest_;  ///< the saved game that was played last
   std::optional<replay::Player> ahead_;    ///< plays the game kept, until who is to play is known
   std::optional<std::ptrdiff_t> to_play_;

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/input/input.hpp"
+#include "app/play/session.hpp"
+#include "app/widgets/dialog.hpp"
+
+/// What a screen wants to happen next. A request carries all that it needs; App applies it to the
+/// stack of screens.
+namespace app {
+
+/// What a screen leaves of those below it.
+enum class Cover : std::uint8_t {
+  whole,    ///< nothing: they are not drawn, and wait
+  waiting,  ///< they are drawn, and wait
+  running,  ///< they are drawn, and time passes for them
+};
+
+// Requests that the stack does by itself.
+struct Stay {};
+/// Closes the uppermost screen.
+struct Back {};
+/// Opens a window with a question over the screen that asks.
+struct Ask {
+  struct Shortcut {
+    std::variant<Key, Command> press;
+    ButtonId answer{};
+  };
+  Dialog dialog;
+  std::string line;  ///< for Screen::describe()
+  Cover cover = Cover::waiting;
+  std::vector<Shortcut> shortcuts{};  ///< presses that answer as a button would
+  bool message = false;               ///< the screen below is not told the answer
+};
+/// Closes the window; the screen below gets the button (Screen::answered()).
+struct Answer {
+  ButtonId button{};
+};
+
+// Requests for a screen in place of all others.
+struct ShowTitle {};
+struct PlayBilliards {
+  bool practice = false;
+};
+struct ShowLevels {};
+struct PlayLevel {
+  std::size_t level = 0;  ///< index in Campaign::levels; it must be one that can be played
+  bool practice = false;
+};
+struct ShowSavedGames {};
+/// Plays a saved game, unseen, up to where it was left.
+struct Load {
+  KeptGames::Kept kept;
+};
+/// Goes on with a game that was loaded. Its level, if it has one, is the campaign's current one.
+struct Resume {
+  std::variant<BilliardsRecorder, LevelRecorder> game;
+  KeptGames::Place place;  ///< where it is kept
+};
+struct ShowReplays {};
+
+// Requests for a screen over the others.
+struct Watch {
+  replay::Replay replay;
+};
+struct ShowSettings {
+  std::size_t page = 0;
+};
+struct ShowHelp {};
+
+/// Ends the program.
+struct Quit {};
+
+using Navigation =
+    std::variant<Stay, Back, Ask, Answer, ShowTitle, PlayBilliards, ShowLevels, PlayLevel,
+                 ShowSavedGames, Load, Resume, ShowReplays, Watch, ShowSettings, ShowHelp, Quit>;
+
+}  // namespace app
