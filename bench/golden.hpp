@@ -15,7 +15,7 @@ class Golden {
   /// `update`: hashes that the file does not have are added to it; those it has stay.
   Golden(std::filesystem::path file, bool update);
 
-  /// What is wrong with a workload's hash, if anything.
+  /// Returns the fault of a workload's hash, if there is one.
   std::optional<std::string> objection(const std::string& workload, std::uint64_t hash);
 
   /// Writes what was added. False: could not.

@@ -14,7 +14,7 @@ double deepest_overlap(const std::vector<carom::Ball>& balls, const carom::Scene
   const auto cells = [&](double extent) { return static_cast<std::size_t>(extent / cell) + 1; };
   const std::size_t columns = cells(scene.width);
   const std::size_t rows = cells(scene.height);
-  // What is beyond an open side counts to the last cell.
+  // A ball beyond an open side counts to the last cell.
   const auto index = [&](double coordinate, std::size_t count) {
     return std::min(static_cast<std::size_t>(std::max(coordinate / cell, 0.0)), count - 1);
   };

@@ -114,7 +114,7 @@ def chipmunk_table(figures):
 
 
 def motion_table(figures):
-    """What was computed: kinetic energy left, and the deepest overlap, after the last step."""
+    """Results: kinetic energy left, and the deepest overlap, after the last step."""
     lines = [["scene", "balls", "steps", "by", "energy kept", "speed, px/s", "mean height, px",
               "deepest overlap, px"]]
     for row in figures.rows:

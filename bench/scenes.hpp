@@ -10,7 +10,7 @@
 
 namespace bench {
 
-/// What is measured: start states, and how far each is run. The same on every machine, bit by bit.
+/// Workloads: start states, and how far each is run. The same on every machine, bit by bit.
 struct Workload {
   std::string scene;  ///< "GAS"
   int balls = 0;      ///< in each of the start states

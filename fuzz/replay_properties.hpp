@@ -10,7 +10,7 @@
 
 namespace fuzz {
 
-/// What must hold for any replay that was read: it can be written, in both forms, and read as the
+/// Properties of any replay that was read: it can be written, in both forms, and read as the
 /// same; playing it ends somewhere.
 inline void check_replay(const replay::Replay& read) {
   const std::string text = replay::write_text(read);

@@ -6,7 +6,8 @@
 
 #include "require.hpp"
 
-// What is accepted is saved and read back as it was; what is not is set aside with all its bytes.
+// Accepted settings are saved and read back as they were; others are set aside with all their
+// bytes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   const std::string file = app::settings_file;

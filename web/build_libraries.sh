@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the browser build links with: SDL2 and zlib, built from Debian's source packages, and the
+# Libraries of the browser build: SDL2 and zlib, built from Debian's source packages, and the
 # libraries that are headers only, since /usr/include itself is wrong for another processor.
 #   build_libraries.sh FOLDER
 # FOLDER becomes a prefix with include, lib and share. Done once; takes some four minutes.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What Debian's Emscripten lacks of the C++20 library and we use. Included
+// Parts of the C++20 library that Debian's Emscripten lacks and we use. Included
 // before everything else when we compile to WebAssembly.
 
 #include <algorithm>

@@ -8,7 +8,7 @@ import sys
 COPYRIGHT = pathlib.Path("/usr/share/doc/emscripten/copyright")
 MUSL = pathlib.Path("/usr/share/emscripten/system/lib/libc/musl/COPYRIGHT")
 APACHE = pathlib.Path("/usr/share/common-licenses/Apache-2.0")
-# What ends up in a page; the rest of the package are tests and tools.
+# The sources that end up in a page; the rest of the package are tests and tools.
 LINKED = re.compile(r" (\*|src/\S*|system/include/(emscripten|compat)\S*|system/lib/(html5|libc|libcxx|libcxxabi|compiler-rt|"
                     r"emmalloc|gl)\S*)")
 # Its values list files of which none is linked: they are for a processor or a tool.

@@ -314,7 +314,7 @@ function listen() {
     const text = event.clipboardData.getData("text");
     if (text) give("web_paste", utf8(text));
   });
-  // What was drawn remains until it is painted over: the game restores only what moved.
+  // A picture remains until it is painted over: the game restores only what moved.
   const getContext = canvas.getContext;
   canvas.getContext = (kind, options) =>
     getContext.call(canvas, kind, { ...options, preserveDrawingBuffer: true });

@@ -8,7 +8,7 @@ list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES ANGRY_BALLS_WEB_LIBRARIES)
 list(PREPEND CMAKE_FIND_ROOT_PATH ${ANGRY_BALLS_WEB_LIBRARIES})
 list(PREPEND CMAKE_PREFIX_PATH ${ANGRY_BALLS_WEB_LIBRARIES})
 
-# What is loaded over a line is small; only what steps worlds is quick (src/carom/CMakeLists.txt).
+# A program loaded over a line is small; only the code that steps worlds is quick (src/carom/CMakeLists.txt).
 # The JSON library ends the program where it would throw, which nothing here would catch.
 set(CMAKE_CXX_FLAGS_RELEASE "-Oz -flto -fno-rtti -DJSON_NOEXCEPTION -DNDEBUG" CACHE STRING "" FORCE)
 set(CMAKE_CXX_FLAGS_INIT "-include ${CMAKE_CURRENT_LIST_DIR}/emscripten_library.hpp")

@@ -27,7 +27,7 @@ async function fetched(cache, path, hash) {
 
 addEventListener("install", (event) => event.waitUntil((async () => {
   const cache = await caches.open(cacheName);
-  // What an attempt got that failed later, or an earlier version, needs not come again.
+  // Files of an attempt that failed later, or of an earlier version, need not come again.
   const all = await Promise.all([...files].map(async ([path, hash]) =>
     (await cache.match(key(hash))) || fetched(cache, path, hash)));
   if (all.includes(null)) throw new Error("the server has another version");

@@ -64,7 +64,7 @@ class Driver:
 
 
 def counter():
-    """What counts instructions here."""
+    """Returns the program that counts instructions here."""
     if shutil.which("perf"):
         tried = subprocess.run(["perf", "stat", "-x,", "-e", "instructions:u", "true"],
                                capture_output=True, encoding="utf-8")
@@ -77,7 +77,7 @@ COUNTER = counter()
 
 
 class Side:
-    """What one way to run a workload came to, over all turns."""
+    """Result of one way to run a workload, over all turns."""
 
     def __init__(self, driver, how):
         self.driver, self.how = driver, how

@@ -33,7 +33,7 @@ class App {
   void rest(nanoseconds elapsed) { quiet_ += elapsed; }
   /// If nothing was ever saved, pictures tell how to shoot until something is done.
   void teach_beginners();
-  /// What is printed on a letter's key; at first, as in the United States.
+  /// Sets the print on letters' keys; at first, as in the United States.
   void name_keys(std::function<std::string(Key)> label) {
     session_.keyboard.label = std::move(label);
   }
@@ -53,14 +53,14 @@ class App {
   /// The picture's texture, as of the last draw().
   const Atlas& atlas() const { return atlas_; }
 
-  /// What is on screen, whose turn it is, scores and balls left, in one line: the window's title.
+  /// Screen, turn, scores and balls left in one line: the window's title.
   std::string describe() const { return stack_.top().describe(); }
   /// The picture changes without input; otherwise the platform may sleep.
   bool animating() const;
   /// The uppermost one.
   const Screen& screen() const { return stack_.top(); }
 
-  /// What is to be heard since the last call; nothing while muted.
+  /// The sounds since the last call; none while muted.
   std::vector<SoundEvent> take_sounds();
   /// Per cent, 0 while muted.
   int volume() const {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-/// What the command lines of both programs share.
+/// Shared by the command lines of both programs.
 namespace cli {
 
 /// Reads a whole number: decimal digits and nothing else, so "010" is 10. None for anything else

@@ -20,7 +20,7 @@ inline void show_failures(CLI::App& app) {
   });
 }
 
-/// What a numeric option says when its text is not `expected`; ends the parsing.
+/// Message of a numeric option whose text is not `expected`; ends the parsing.
 [[noreturn]] inline void refuse(const std::string& option, const std::string& text,
                                 const std::string& expected) {
   throw CLI::ValidationError(option,

@@ -23,7 +23,7 @@ const std::string aside_mark = ".part-";
 
 carom::Error trouble(std::string problem) { return {.problem = std::move(problem)}; }
 
-/// Whether a file of this name was written aside by a process that lives no more.
+/// Is true if a file of this name was written aside by a process that lives no more.
 bool is_abandoned(const std::string& name, std::string_view ending) {
   const std::size_t mark = name.rfind(aside_mark);
   if (mark == std::string::npos || !name.substr(0, mark).ends_with(ending)) return false;

@@ -26,8 +26,8 @@ carom::Result<std::string> read_text(const std::filesystem::path& path,
 
 /// A file of the game's own folder, written so that its name never stands for half of it: the bytes
 /// go aside and take the name in commit(), after an fsync, with the permissions of the old file.
-/// Without commit() nothing has changed. Refuses what is no file. What the player names is written
-/// by Output instead.
+/// Without commit() nothing has changed. Refuses anything but a file. What the player names is
+/// written by Output instead.
 class Writer {
  public:
   explicit Writer(std::filesystem::path path);

@@ -54,7 +54,7 @@ bool guard(const std::string& path, const struct ::stat& status) {
   unfinished_set = true;
   for (const int signal : ending_signals) {
     struct ::sigaction old {};
-    // What is ignored (nohup) stays ignored.
+    // A signal that is ignored (nohup) stays ignored.
     if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler != SIG_DFL) continue;
     struct ::sigaction action {};
     action.sa_handler = remove_and_end;

@@ -29,7 +29,7 @@ class Output {
   Output& operator=(const Output&) = delete;
 
   carom::Status opened() const;
-  /// Whether what is written goes where standard output goes.
+  /// Is true if the output goes where standard output goes.
   bool is_standard_output() const { return standard_output_; }
   /// An existing file that is neither device nor pipe nor descriptor; its size in bytes.
   std::optional<std::uintmax_t> replaced_size() const;
@@ -63,7 +63,7 @@ std::optional<int> own_descriptor(const std::filesystem::path& path);
 /// first.
 void reserve_standard_descriptors();
 
-/// What has gone wrong with standard output, after writing out what is left of it. To be asked at
+/// Writes out the rest of standard output and returns its error, if any. To be asked at
 /// the end of a program, whose output is otherwise lost in silence.
 carom::Status finish_standard_output();
 

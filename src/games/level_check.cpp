@@ -172,7 +172,7 @@ class Checker {
 
   static std::string rounded_distance(double px) { return std::to_string(std::lround(px)); }
 
-  // What a player meets first: a throw at 45° with half the strength.
+  // The first throw of a player: at 45° with half the strength.
   void endless_throw(const carom::World& start) {
     carom::World world = start;
     if (!launch(world, {drag(5) * 0.70710678118654752, drag(5) * 0.70710678118654752})) return;
@@ -191,7 +191,7 @@ class Checker {
     return max_launch_speed / launch_factor * strength / strengths;
   }
 
-  // The directions of the fan. cos and sin are no part of the rules' arithmetic (their bits may
+  // The directions of the fan. cos and sin are not part of the rules' arithmetic (their bits may
   // differ between machines), so a rotation is repeated instead.
   static std::array<carom::Vec2, directions> fan() {
     constexpr double cos_5_degrees = 0.99619469809174555;

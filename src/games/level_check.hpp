@@ -8,17 +8,17 @@
 
 namespace games::angry_balls {
 
-/// What level_report() takes at most, in ball-steps (games::work_of_step): some seconds.
+/// Limit of level_report(), in ball-steps (games::work_of_step): some seconds.
 inline constexpr std::uint64_t level_check_budget = 16'000'000;
 
 struct LevelReport {
-  /// What a player would hold against the level, pointers as in its file.
+  /// A player's objections to the level, pointers as in its file.
   carom::Errors warnings;
-  /// Whether all was tried. If not, the last warning says what was left out.
+  /// True if all was tried. If not, the last warning says what was left out.
   bool complete = true;
 };
 
-/// What a player would hold against a sound level, found by trying:
+/// A player's objections to a sound level, found by trying:
 /// - sizes and gravity as if lengths were metres: everything counts as standing still,
 /// - balls that lie on the launch place, and a launch place within a hole or outside the level,
 /// - balls that do not stay where they were put while nothing is thrown,

@@ -8,7 +8,7 @@
 
 namespace games {
 
-/// What counts as settled: no ball is lost or moves by settled_distance within settled_steps.
+/// Settled means: no ball is lost or moves by settled_distance within settled_steps.
 inline constexpr std::uint64_t settled_steps = 3000;
 inline constexpr double settled_distance = 1;  ///< px
 

@@ -8,7 +8,7 @@
 
 namespace json {
 
-/// What a document may be. A parser without limits takes memory for whatever a stranger wrote, and
+/// Limits of a document. A parser without limits takes memory for whatever a stranger wrote, and
 /// what walks through a deep document overflows the stack.
 struct Limits {
   std::size_t depth = 16;        ///< arrays and objects within each other

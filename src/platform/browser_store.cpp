@@ -41,7 +41,7 @@ EM_JS(int, browser_store_remove, (const char* key), {
     return 0;
   }
 })
-// As it is: what stands there may be no UTF-8 at all. 0: there is something under the new name.
+// As it is: the text there may not be UTF-8 at all. 0: there is something under the new name.
 EM_JS(int, browser_store_move, (const char* from, const char* to), {
   const start = "angry-balls/";
   try {

@@ -118,7 +118,7 @@ int play_script(const Options& options, app::StartLanguage language,
                               platform::read_levels(options.levels), store);
   if (folder) game.app().teach_beginners();
   if (replay) game.app().watch(std::move(*replay));
-  // What cannot be written is told before the play.
+  // An output that cannot be written is reported before the play.
   std::optional<platform::PngFile> picture;
   if (!options.screenshot.empty()) {
     picture.emplace(options.screenshot);

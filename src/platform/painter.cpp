@@ -86,7 +86,7 @@ void Painter::upload(const app::Atlas& atlas) {
   uploaded_parts_ = atlas.parts().size();
 }
 
-/// Whether there is a picture of what stands still in the list: once it was the same in two frames.
+/// Is true if there is a picture of the list's still part: once it was the same in two frames.
 bool Painter::has_still(const app::DrawList& list) {
   const std::span vertices(list.vertices.data(), list.still_vertices);
   const std::span indices(list.indices.data(), list.still_indices);

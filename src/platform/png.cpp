@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
 
-/// Whether there is a file at `path` that holds something, and no PNG picture.
+/// Is true if the file at `path` holds something that is not a PNG picture.
 bool holds_other(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) || files::own_descriptor(path)) return false;

@@ -11,7 +11,7 @@
 
 namespace platform {
 
-/// What a script does at one moment. Points are in window px.
+/// A script's action at one moment. Points are in window px.
 struct Click {  ///< moves there, presses and releases
   app::Point at;
   app::PointerButton button = app::PointerButton::left;

@@ -8,12 +8,12 @@
 
 #include "app/input/input.hpp"
 
-/// What SDL tells, in the app's words.
+/// SDL's input in the app's terms.
 namespace platform {
 
 /// The key, letters by their place; none: nothing of ours.
 std::optional<app::Key> key_of(const SDL_Keysym& key);
-/// What is printed on a letter's key.
+/// The print on a letter's key.
 std::string label_of(app::Key letter);
 std::optional<app::PadButton> pad_button_of(int button);
 /// Of SDL_CONTROLLERAXISMOTION.
@@ -23,7 +23,7 @@ std::optional<app::PadMoved> pad_moved(const SDL_ControllerAxisEvent& event);
 /// browser_gamepads.hpp). All are one to the app.
 class Gamepads {
  public:
-  /// What the app is to get; none: no event of a gamepad, or none that matters.
+  /// Returns the app's input; none: no event of a gamepad, or none that matters.
   std::optional<app::Input> event(const SDL_Event& event);
 
 #ifndef __EMSCRIPTEN__

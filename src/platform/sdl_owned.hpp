@@ -14,7 +14,7 @@ struct Destroy {
 template <class T>
 using Owned = std::unique_ptr<T, Destroy>;
 
-/// What SDL has just made; throws what it says if it could not.
+/// Owner of an object that SDL has just made; throws SDL's message if it could not.
 template <class T>
 Owned<T> owned(T* made) {
   if (!made) throw std::runtime_error(SDL_GetError());

@@ -95,7 +95,7 @@ class SdlWindow final : public GameWindow {
     const bool idle = !stale_ && !app_.animating();
     for (SDL_Event event; SDL_PollEvent(&event) != 0;) stale_ |= handle(event);
     const auto now = steady_clock::now();
-    // What passed while nothing moved is no time of the game's.
+    // Time that passed while nothing moved is not the game's.
     if (idle)
       app_.rest(now - last_);
     else
@@ -146,7 +146,7 @@ class SdlWindow final : public GameWindow {
       case SDL_WINDOWEVENT:
         painter_.frame_lost();
         if (event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) measure();
-        // What passed while nobody saw the game is no time of its either.
+        // Time that passed while nobody saw the game is not its own either.
         if (event.window.event == SDL_WINDOWEVENT_SHOWN) last_ = steady_clock::now();
         return true;
       case SDL_DROPFILE:

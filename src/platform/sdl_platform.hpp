@@ -9,7 +9,7 @@
 
 namespace platform {
 
-/// What a game in a window is made of. Store and clipboard must outlive the window.
+/// Parts of a game in a window. Store and clipboard must outlive the window.
 struct WindowSetup {
   app::StartLanguage language;
   int width = 1280;  ///< points

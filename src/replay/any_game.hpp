@@ -25,12 +25,12 @@ void step(AnyGame& game);
 
 const carom::World& world(const AnyGame& game);
 
-/// Whether step() moves the world on: a ball rolls or flies, or a level waits for Next.
+/// Is true if step() moves the world on: a ball rolls or flies, or a level waits for Next.
 bool moves(const games::billiards::Game& game);
 bool moves(const games::angry_balls::Game& game);
 bool moves(const AnyGame& game);
 
-/// Whether the game has come to its end.
+/// Is true if the game has come to its end.
 bool over(const games::billiards::Game& game);
 bool over(const games::angry_balls::Game& game);
 bool over(const AnyGame& game);

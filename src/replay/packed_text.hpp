@@ -17,9 +17,10 @@ std::string pack(char version, std::string payload);
 /// messages: "a replay".
 carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what);
 
-/// What a player pasted, made the text alone: of a whole link what is behind '#' and the name; with
-/// no byte order mark, white space, line ends of folded mail ("=" of quoted-printable included) or
-/// quotation marks ("> ") of a reply. Whatever else does not belong there stays, to be refused.
+/// Returns the text alone of a player's paste: of a whole link the part behind '#' and the name;
+/// with no byte order mark, white space, line ends of folded mail ("=" of quoted-printable
+/// included) or quotation marks ("> ") of a reply. Whatever else does not belong there stays, to be
+/// refused.
 std::string pasted_text(std::string_view pasted);
 
 /// "is damaged: …"

@@ -39,7 +39,7 @@ struct Divergence {
 /// known, else 0.
 std::string to_string(const Divergence& divergence, std::size_t turns);
 
-/// What came of a part of the way to a turn.
+/// Result of a part of the way to a turn.
 enum class Sought : std::uint8_t {
   shown,    ///< there now
   on_way,   ///< go on; what is shown has not changed

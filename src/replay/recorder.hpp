@@ -57,7 +57,7 @@ class Recorder {
 
   const Game& game() const { return game_; }
 
-  /// Whether one step more leaves the replay within max_move_steps and max_steps.
+  /// Is true if one step more leaves the replay within max_move_steps and max_steps.
   bool has_room() const {
     if (replay_.moves.empty()) return true;
     std::uint64_t steps = 0;

@@ -22,8 +22,8 @@ inline constexpr int physics_version = 1;
 /// The same for the rules of both games (phases, points, when a turn ends).
 inline constexpr int rules_version = 1;
 
-// Limits of what is accepted; anything beyond is refused. They hold back what is no game, and what
-// would take hours to play.
+// Limits of what is accepted; anything beyond is refused. They hold back texts that are not games,
+// and games that would take hours to play.
 inline constexpr std::size_t max_bytes = 4 << 20;         ///< of a file or of an unpacked text
 inline constexpr std::size_t max_moves = 10'000;          ///< of a game
 inline constexpr std::uint64_t max_move_steps = 360'000;  ///< after one command: an hour

@@ -13,7 +13,7 @@ namespace replay {
 
 // Shared by both written forms of a replay.
 
-/// Whether a wrong checksum is refused. Fuzzers, which define this name of old, could never guess a
+/// True: a wrong checksum is refused. Fuzzers, which define this name of old, could never guess a
 /// right one and would see nothing of what comes behind.
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
 inline constexpr bool checksums_count = false;

@@ -9,7 +9,7 @@
 
 namespace soak {
 
-/// What must hold after every step of a world, whatever happened in it:
+/// Invariants after every step of a world, whatever happened in it:
 /// - every number of every ball is finite (a solidity may be infinite);
 /// - no ball sticks out of a solid edge;
 /// - no ball appears: those in play are some of those before, each under its own id;
@@ -22,7 +22,7 @@ class Invariants {
   /// `world`: as it is now, before a step.
   void before_step(const carom::World& world);
 
-  /// What is wrong after the step; none if nothing is.
+  /// Returns the invariant that the step broke; none if it broke none.
   std::optional<std::string> after_step(const carom::World& world);
 
  private:

@@ -34,7 +34,7 @@ Vec2 random_drag(Random& random) {
   return random.one_in(50) ? drag : on_grid(drag);
 }
 
-// What is wrong with the written forms of a replay, or empty.
+// The fault of the written forms of a replay, or empty.
 std::string check_replay(const replay::Replay& played, std::size_t& text_size) {
   const auto from_json = replay::read_json(replay::write_json(played));
   if (!from_json)

@@ -17,7 +17,7 @@ namespace soak {
 /// A level that can be played, whatever it is worth as one: any edges, obstacles, holes, balls.
 carom::Scene random_level(Random& random);
 
-/// What a player without a plan does next: any drag, any free place. None while he has to wait, or
+/// Next command of a player without a plan: any drag, any free place. None while he has to wait, or
 /// wants to, and when the game is over.
 std::optional<games::billiards::Command> random_command(const games::billiards::Game& game,
                                                         Random& random);

@@ -107,7 +107,7 @@ class TraceReader {
   std::string_view rest_;
 };
 
-// What differs between two steps of traces, number by number: "ball 12: expected …, got …". Empty
+// The difference between two steps of traces, number by number: "ball 12: expected …, got …". Empty
 // when they say the same.
 std::string difference(std::string_view expected_line, std::string_view got_line) {
   constexpr json::Limits limits{.depth = 8, .values = std::numeric_limits<std::size_t>::max()};

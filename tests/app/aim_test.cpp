@@ -43,7 +43,7 @@ TEST(Aim, TheSpeedIsCapped) {
   EXPECT_NEAR(aim.strength(), 1, 1e-12);
 }
 
-TEST(Aim, WeakerThanRestIsNoShot) {
+TEST(Aim, ADragBelowTheRestSpeedIsNotAShot) {
   EXPECT_TRUE(aim_at({5.9, 0}).too_weak());
   EXPECT_FALSE(aim_at({6, 0}).too_weak());
 }
@@ -116,7 +116,7 @@ TEST(AimEntry, TakesAnAngleAndASpeed) {
   EXPECT_NEAR(aim.speed(), 2000, 0.06);
 }
 
-TEST(AimEntry, WhatIsNoNumberChangesNothing) {
+TEST(AimEntry, ATextThatIsNotANumberChangesNothing) {
   for (const char* text : {"", "-", ".", "-.", "400", "-361"}) {
     app::AimEntry entry;
     for (const char* sign = text; *sign != 0; ++sign) entry.event(app::TextTyped{{*sign}});

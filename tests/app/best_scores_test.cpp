@@ -92,7 +92,7 @@ TEST(BestScores, AWrongEntryCostsNoOther) {
   EXPECT_EQ(next.of(other), 2'150'000'000);
 }
 
-TEST(BestScores, WhateverIsRecordedIsReadBack) {
+TEST(BestScores, RecordedScoresAreReadBack) {
   MemoryStore store;
   BestScores scores(store);
   std::uint64_t random = 1;
@@ -141,7 +141,7 @@ TEST(BestScores, LastUntilTheEndOnADiskThatCannotBeWritten) {
   EXPECT_EQ(scores.trouble(), BestScores::Trouble::not_kept);
 }
 
-TEST(BestScores, WhatCannotBeReadOrMovedIsNotOverwritten) {
+TEST(BestScores, AFileThatCannotBeReadOrMovedIsNotOverwritten) {
   BadStore unreadable;
   unreadable.loads = false;
   BadStore fixed;

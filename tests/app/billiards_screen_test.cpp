@@ -174,7 +174,7 @@ TEST_F(BilliardsScreenTest, TheSameShotWhateverTheFrameRate) {
 }
 
 TEST_F(BilliardsScreenTest, AFreshGameIsLeftWithoutAsking) {
-  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Close"))));
+  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Leave"))));
   EXPECT_TRUE(asks_for<app::ShowTitle>(key(app::Key::escape)));
 }
 
@@ -222,7 +222,7 @@ TEST_F(BilliardsScreenTest, AStartedGameIsGivenUpOnlyAfterAQuestion) {
   EXPECT_EQ(screen.game().world().steps(), 0u);
   shoot({cue(), window(300, 200)});
   screen.iterate(50ms);
-  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Close"))));
+  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Leave"))));
 }
 
 TEST_F(BilliardsScreenTest, TheTableWaitsWhileAQuestionIsOpen) {
@@ -252,7 +252,7 @@ TEST_F(BilliardsScreenTest, AWholeGameToTheEndAndAgain) {
   const auto winner = screen.game().winner();
   EXPECT_TRUE(shows(!winner ? "draw" : *winner == 0 ? "Player 1 wins" : "Player 2 wins"));
   while (screen.animating()) screen.iterate(16'666'667ns);
-  // What the end tells is what the rules counted.
+  // The window of the end shows the rules' counts.
   const auto& [first, second] = std::pair{screen.game().tally(0), screen.game().tally(1)};
   EXPECT_EQ(first.balls + second.balls, games::billiards::reds);
   EXPECT_EQ(first.shots + second.shots, turns);

@@ -200,7 +200,7 @@ TEST(Continue, LeavingKeepsTheGameWithNoQuestion) {
   EXPECT_EQ(last(store), before);
   game.load("Continue: billiards, player 2");
   EXPECT_TRUE(game.says("Player 2 aims"));
-  game.press("Close");
+  game.press("Leave");
   EXPECT_TRUE(game.shows("Continue: billiards, player 2"));
 
   game.press("Angry Balls");
@@ -324,7 +324,7 @@ TEST(Continue, TwoWindowsThatGoOnWithTheSameGameKeepBoth) {
   EXPECT_EQ(kept(store).size(), 3U);
 }
 
-TEST(Continue, WhatOnlyCannotBeReadStaysWhereItIs) {
+TEST(Continue, AFileThatCannotBeReadStaysInItsPlace) {
   struct ShutStore : app::MemoryStore {
     carom::Result<std::optional<std::string>> load(const std::string& name) override {
       if (shut && name == table_file)
@@ -374,7 +374,7 @@ TEST(Continue, PracticeKeepsNothing) {
   game.shoot(table.game().world().ball(0).position, {13, -70});
   EXPECT_TRUE(game.says("Player 1 watches")) << "who practises alone has every turn";
   EXPECT_TRUE(kept(store).empty());
-  game.press("Close");
+  game.press("Leave");
   EXPECT_TRUE(game.says("title screen"));
 }
 
@@ -479,7 +479,7 @@ TEST_P(BrokenSave, IsRefusedSetAsideAndNeverOverwritten) {
 
 INSTANTIATE_TEST_SUITE_P(All, BrokenSave, testing::Range(std::size_t{0}, broken_saves().size()));
 
-TEST(BrokenSaves, WhatCannotBeMovedAwayIsNeverOverwritten) {
+TEST(BrokenSaves, AFileThatCannotBeMovedIsNeverOverwritten) {
   struct FixedStore : app::MemoryStore {
     carom::Status set_aside(const std::string&) override {
       return carom::Error{.problem = "cannot be moved"};
@@ -491,7 +491,7 @@ TEST(BrokenSaves, WhatCannotBeMovedAwayIsNeverOverwritten) {
   game.press("OK");
   first_shot(game);
   EXPECT_EQ(stored(store, table_file), "{");
-  game.press("Close");
+  game.press("Leave");
   EXPECT_EQ(stored(store, table_file), "{");
   EXPECT_TRUE(game.shows("Continue: billiards, player 2"));
 }

@@ -20,7 +20,7 @@ using app::Box;
 using app::Key;
 using app::Text;
 
-/// What is on screen, and what takes the input.
+/// The screen that is shown, and its input.
 struct Shown {
   std::string where;
   std::function<const app::DrawList&()> draw;

@@ -44,7 +44,7 @@ TEST_F(FingersTest, ASecondOneTakesBackAndAllHaveToBeLifted) {
   EXPECT_EQ(down(4).size(), 2u);
 }
 
-TEST_F(FingersTest, OnesThatNeverCameDoNothing) {
+TEST_F(FingersTest, ReleasesOfUnknownFingersDoNothing) {
   EXPECT_TRUE(move(1).empty());
   EXPECT_TRUE(up(1).empty());
   down(1);

@@ -93,12 +93,12 @@ TEST_F(GameSpeedTest, WhilePausedNothingMovesAndTheClickThatEndsItDoesNothingEls
   const app::View view = app::View::of(1280, 720);
   app::Canvas canvas{list, font, view};
   screen.draw(canvas);
-  app::Point close;
+  app::Point leave;
   for (const app::Box& box : list.boxes)
-    if (box.text == "Close") close = box.area.center();
-  screen.event(app::PointerMoved{close});
-  screen.event(app::PointerPressed{close});
-  screen.event(app::PointerReleased{close});
+    if (box.text == "Leave") leave = box.area.center();
+  screen.event(app::PointerMoved{leave});
+  screen.event(app::PointerPressed{leave});
+  screen.event(app::PointerReleased{leave});
   EXPECT_EQ(screen.describe().find("paused"), std::string::npos);
   EXPECT_TRUE(screen.animating());
   screen.iterate(20ms);
@@ -238,7 +238,7 @@ TEST_F(GameSpeedTest, ThePictureShakesOnlyIfAllowedAndMotionIsNotReduced) {
   EXPECT_EQ(corner(true, true), corner(false, false));
 }
 
-TEST(GameSpeed, ADecisiveMomentIsSlowOnceAGameAndNotForWhoIsInAHurry) {
+TEST(GameSpeed, ADecisiveMomentIsSlowOncePerGameAndNotDuringFastForward) {
   app::GameSpeed pace;
   EXPECT_EQ(pace.pass(1s).quarters, 4);
   pace.decisive();

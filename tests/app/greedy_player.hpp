@@ -22,7 +22,7 @@ inline carom::Vec2 drag_of(const Shot& shot, const app::Viewport& viewport) {
   return viewport.to_world(shot.target) - viewport.to_world(shot.grab);
 }
 
-/// What the shot brings: points, and a cue ball lost counts against it.
+/// Value of the shot: points, and a cue ball lost counts against it.
 inline std::int64_t worth(billiards::Game game, carom::Vec2 drag) {
   const int player = game.player();
   const std::int64_t before = game.score(player);
@@ -34,7 +34,7 @@ inline std::int64_t worth(billiards::Game game, carom::Vec2 drag) {
 /// Whole pixels, so that a script can write the clicks down.
 inline app::Point on_pixel(app::Point p) { return {std::round(p.x), std::round(p.y)}; }
 
-/// Whether the cue ball can roll straight to a place with no ball in its way but the `aimed`.
+/// Is true if the cue ball can roll straight to a place with no ball in its way but the `aimed`.
 inline bool is_free(const carom::World& world, carom::Vec2 from, carom::Vec2 to,
                     std::size_t aimed) {
   const carom::Vec2 way = carom::unit(to - from);

@@ -63,7 +63,7 @@ class Hands : public testing::Test {
     EXPECT_EQ(table().game().phase(), billiards::Phase::over) << turns;
     EXPECT_TRUE(game.says("wins!") || game.says("draw")) << game.title();
   }
-  /// Whether what is aimed wins the level.
+  /// Is true if the aim wins the level.
   bool wins() {
     angry_balls::Game played = level().game();
     if (!played.apply(angry_balls::Throw{level().aimed()->drag()})) return false;
@@ -292,7 +292,7 @@ TEST_F(Hands, AFingerTurnsAndTheButtonShoots) {
       tap(cue);
     EXPECT_EQ(table().game().phase(), billiards::Phase::roll);
     game.pass(100ms);
-    tap("Close");
+    tap("Leave");
   }
 }
 
@@ -317,7 +317,7 @@ TEST_F(Hands, ButtonsGrowForFingers) {
   }
 }
 
-TEST_F(Hands, TheOneUsedLastIsToldWhatItDoes) {
+TEST_F(Hands, HintsAreForTheDeviceUsedLast) {
   game.app().teach_beginners();
   key(Key::enter);
   EXPECT_TRUE(game.shows("Press on the ball"));
@@ -343,7 +343,7 @@ TEST_F(Hands, TheOneUsedLastIsToldWhatItDoes) {
   EXPECT_TRUE(game.says("title screen"));
   key(Key::enter);
   EXPECT_TRUE(game.shows("Keys: arrows"));
-  tap("Close");
+  tap("Leave");
   tap("Angry Balls");
   tap("First steps");
   EXPECT_TRUE(game.says("tap the angry ball"));

@@ -1,4 +1,4 @@
-// What comes at any moment: files and links, a window over the game, another hand, a window of no
+// Events at any moment: files and links, a window over the game, another hand, a window of no
 // size, while something is held, aimed or carried.
 
 #include <cmath>
@@ -90,7 +90,7 @@ TEST_F(Interruptions, AKeyLetGoUnderAnotherScreenIsLetGo) {
   }
 }
 
-TEST_F(Interruptions, SoIsATriggerAndAPressOnTheTable) {
+TEST_F(Interruptions, ATriggerAndAPressLetGoUnderTheSettingsAreLetGo) {
   game.press("Billiards");
   shoot();
   game.app().event(app::PadMoved{app::PadAxis::right_trigger, 1});
@@ -109,7 +109,7 @@ TEST_F(Interruptions, SoIsATriggerAndAPressOnTheTable) {
   EXPECT_EQ(pace(), 10U);
 }
 
-TEST_F(Interruptions, TheSameOfALetterOfThePlayersOwn) {
+TEST_F(Interruptions, AReboundKeyLetGoUnderTheHelpIsLetGo) {
   rebind("Faster", Key::g);
   game.press("Billiards");
   shoot();
@@ -198,7 +198,7 @@ TEST_F(Interruptions, TheBallInHandStaysWhereItIsCarried) {
   EXPECT_TRUE(game.shows("another ball is in the way"));
 }
 
-TEST_F(Interruptions, WhatIsWrittenOnButtonsIsForTheHandUsedLast) {
+TEST_F(Interruptions, LabelsAreForTheDeviceUsedLast) {
   const auto next_label = [&]() -> std::string {
     for (const app::Box& box : game.boxes())
       if (box.kind == app::Box::Kind::button && box.text.starts_with("Next throw")) return box.text;

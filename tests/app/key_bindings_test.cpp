@@ -52,7 +52,7 @@ TEST(KeyBindings, AreWrittenAndRead) {
     EXPECT_FALSE(KeyBindings::from_pairs(wrong));
 }
 
-TEST(Keyboard, CallsKeysByWhatIsPrintedOnThem) {
+TEST(Keyboard, NamesKeysByTheirPrint) {
   app::Keyboard keyboard;
   EXPECT_EQ(keyboard.name(Command::again), "R");
   keyboard.label = [](Key key) { return key == Key::r ? "Ř" : ""; };
@@ -202,7 +202,7 @@ TEST_F(KeysTest, ButtonsTellWhatTheyDo) {
   ASSERT_TRUE(game.says("practice"));
   EXPECT_FALSE(game.shows("Leaves the game"));
   for (const app::Box& box : game.boxes())
-    if (box.text == "Close") game.app().event(app::PointerMoved{box.area.center()});
+    if (box.text == "Leave") game.app().event(app::PointerMoved{box.area.center()});
   EXPECT_TRUE(game.shows("Leaves the game"));
   game.key(Key::help);
   EXPECT_FALSE(game.shows("Leaves the game")) << "what lies beneath tells nothing";
@@ -242,7 +242,7 @@ TEST_F(KeysTest, TheLessonIsNotRepeatedAtTheNextStart) {
   }
 }
 
-TEST_F(KeysTest, WhoDoesNothingIsToldWhatToDo) {
+TEST_F(KeysTest, APlayerWhoDoesNothingGetsAHint) {
   using std::chrono::seconds;
   game.app().rest(seconds{25});
   EXPECT_FALSE(game.shows("Your turn")) << "there is no ball";

@@ -60,7 +60,7 @@ TEST_F(LauncherTest, APullLaunchesTheOtherWay) {
   EXPECT_EQ(release(window(260, 280)), Launcher::Outcome::launch);
 }
 
-/// What is seen counts, on a table that stands upright, too.
+/// The picture counts, on a table that stands upright, too.
 TEST_F(LauncherTest, OnATurnedTableEachWayGoesWhereOneSees) {
   stage.viewport = app::Viewport({60, 100, 400, 800}, {0, 0}, {800, 400}, true);
   const Point cue = window(200, 200);
@@ -184,7 +184,7 @@ TEST_F(LauncherTest, EnterIsForTheButtonThatHasTheFocus) {
   EXPECT_EQ(key(Key::space), Launcher::Outcome::untouched);
 }
 
-TEST_F(LauncherTest, APointerThatRestsLeavesWhatKeysDid) {
+TEST_F(LauncherTest, ARestingPointerKeepsTheAimOfKeys) {
   click(lead);
   move(lead + Point{100, 0});
   fine(Key::left);

@@ -59,7 +59,7 @@ std::vector<Box> visible(const std::vector<Box>& boxes, const std::string& modal
   return boxes;
 }
 
-/// What is left of a text that was too long.
+/// The rest of a text that was too long.
 std::string without_ellipsis(const std::string& text) {
   const std::string sign = "…";
   return text.ends_with(sign) ? text.substr(0, text.size() - sign.size()) : text;
@@ -622,7 +622,7 @@ TEST(LayoutOfWideWindows, HasLargeButtonsInTheBar) {
           EXPECT_GE(box.area.h, view.px(60)) << describe(box);
           EXPECT_GE(box.area.w, view.px(48)) << describe(box);
         }
-        if (box.kind == Box::Kind::text && (box.text == "Fermer" || box.text == "Menu")) {
+        if (box.kind == Box::Kind::text && (box.text == "Quitter" || box.text == "Menu")) {
           EXPECT_GE(static_cast<float>(box.text_size), view.px(20)) << describe(box);
         }
       }

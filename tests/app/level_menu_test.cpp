@@ -17,7 +17,7 @@ std::vector<app::Level> own_levels(int count) {
   return levels;
 }
 
-TEST(LevelMenu, ShowsNumbersNamesAndWhatIsNotWonYet) {
+TEST(LevelMenu, ShowsNumbersNamesAndLevelsNotWonYet) {
   Player game(app::Language::en, 1280, 720);
   game.press("Angry Balls");
   EXPECT_EQ(game.title(), "Angry Balls · level menu · 10 levels");

@@ -45,7 +45,7 @@ TEST(Level, ABrokenOneTellsItsFirstErrorWithItsPlace) {
   EXPECT_TRUE(level.problem.starts_with("mine.json:3:2: ")) << level.problem;
 }
 
-TEST(Level, ASceneThatIsNoLevelTellsWhy) {
+TEST(Level, ASceneThatIsNotALevelTellsWhy) {
   const app::Level level = app::read_level(
       "table.json", std::string("{\"carom\": 1, \"width\": 100, \"height\": 50,\n \"balls\": []}"));
   EXPECT_FALSE(level.scene);

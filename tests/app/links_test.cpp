@@ -44,7 +44,7 @@ TEST_F(Links, AReplayOpenedOverAnotherOrOverTheSettingsLeadsBack) {
   EXPECT_EQ(game.title(), table);
 }
 
-TEST_F(Links, WhatIsOpenedIsNotHiddenByTheHelp) {
+TEST_F(Links, AnOpenedLevelClosesTheHelp) {
   game.key(app::Key::help);
   game.app().open_link("#level=" +
                        replay::write_level_text(games::angry_balls::read_level(own_level).value()));
@@ -79,7 +79,7 @@ TEST_F(Links, ALinkToNothingChangesNothing) {
   EXPECT_EQ(game.title(), before);
 }
 
-TEST_F(Links, AFileIsOpenedByWhatIsInIt) {
+TEST_F(Links, AFileIsOpenedByItsContents) {
   game.app().open_file("x.txt", project_file("tests/replays/level-09-won.txt"));
   game.wait_for("Verified");
   game.app().open_file("mine.json", own_level);
@@ -96,7 +96,7 @@ TEST_F(Links, AFileIsOpenedByWhatIsInIt) {
   EXPECT_EQ(store.list("levels/").size(), 1U);
 }
 
-TEST_F(Links, WhatIsCopiedIsALinkWhereThereIsAPage) {
+TEST_F(Links, ACopiedReplayIsALinkOnAPage) {
   app::Session session{store, game.clipboard(), {}};
   session.host.link_prefix = "https://example.org/x/";
   const std::string text = replay::write_text({});

@@ -192,7 +192,7 @@ TEST(Palette, EveryTextStandsOutFromWhatIsBeneath) {
 }
 
 // The colours chosen are those drawn, at once.
-TEST(Palette, IsWhatIsDrawn) {
+TEST(Palette, ThePictureHasItsColours) {
   app::MemoryStore store;
   ASSERT_TRUE(
       store.save("settings.json", R"({"angry-balls-settings": 1, "colours": "high-contrast"})")

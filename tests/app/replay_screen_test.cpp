@@ -33,7 +33,7 @@ class ReplayScreenTest : public testing::TestWithParam<const char*> {
   bool says(const std::string& text) const {
     return screen.describe().find(text) != std::string::npos;
   }
-  /// What the state must be before the turn.
+  /// Hash of the state before the turn.
   std::uint64_t hash_before(std::size_t turn) const {
     const std::size_t move = screen.player().turns()[turn].first_move;
     if (move > 0) return replay.moves[move - 1].hash;

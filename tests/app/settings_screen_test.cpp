@@ -245,7 +245,7 @@ TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
     choose(game, Language::fr);
     game.key(Key::escape);
     for (const char* label : level ? std::array{"Recommencer", "Menu", "Réglages"}
-                                   : std::array{"Recommencer", "Fermer", "Répéter"})
+                                   : std::array{"Recommencer", "Quitter", "Répéter"})
       EXPECT_TRUE(game.shows(label)) << label;
     game.key(Key::settings);
     choose(game, Language::en);

@@ -90,7 +90,7 @@ TEST(Settings, NamesAndVolumeAreMadeFit) {
   EXPECT_EQ(KeptSettings(store).get(), settings.get());
 }
 
-TEST(Settings, ANameIsWhatCanBeShownOfAText) {
+TEST(Settings, ANameHoldsOnlyCharactersThatCanBeShown) {
   EXPECT_EQ(app::name_of(""), "");
   EXPECT_EQ(app::name_of("   "), "");
   EXPECT_EQ(app::name_of(" a b "), "a b");
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"angry-balls-settings": 1, "volume": 5, "keys": {"again": "n"}})",
                     "{\"angry-balls-settings\": 1, \"names\": [\"\xff\", \"\"]}"));
 
-TEST(Settings, WhatAnotherProgramWroteMeanwhileIsNotOverwritten) {
+TEST(Settings, ChangesOfAnotherProgramAreNotOverwritten) {
   MemoryStore store;
   KeptSettings settings(store);
   ASSERT_TRUE(store.save(file, "newer"));
@@ -195,7 +195,7 @@ TEST(Settings, LastUntilTheEndOnADiskThatCannotBeWritten) {
   EXPECT_EQ(settings.trouble(), KeptSettings::Trouble::none);
 }
 
-TEST(Settings, WhatCannotBeReadOrMovedIsNotOverwritten) {
+TEST(Settings, AFileThatCannotBeReadOrMovedIsNotOverwritten) {
   for (const bool readable : {false, true}) {
     BadStore store;
     ASSERT_TRUE(store.save(file, "foreign"));

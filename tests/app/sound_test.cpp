@@ -31,13 +31,13 @@ TEST(Sounds, OfEveryKindTheStrongestAreTaken) {
   EXPECT_TRUE(sounds.take().empty());
 }
 
-TEST(Sounds, WhatIsTooFaintIsNot) {
+TEST(Sounds, FaintSoundsAreDropped) {
   Sounds sounds;
   sounds.note({SoundKind::ball, 0.5f * Sounds::faintest, 0});
   EXPECT_TRUE(sounds.empty());
 }
 
-/// A break's sounds, a list a step.
+/// A break's sounds, a list per step.
 std::vector<std::vector<SoundEvent>> break_at(double speed) {
   games::billiards::Game game;
   EXPECT_TRUE(game.apply(games::billiards::Shoot{{speed / games::launch_factor, 0}}).ok());
@@ -165,7 +165,7 @@ TEST(Sound, AReplaySoundsAsTheGameDidToItsEnd) {
   }
 }
 
-TEST(Sound, WhatAWindowCoversDoesNotClick) {
+TEST(Sound, AButtonBelowAWindowDoesNotClick) {
   Player game(app::Language::en, 1280, 720);
   game.clipboard().set_text("no replay");
   app::Rect quit;

@@ -72,7 +72,7 @@ TEST(Stamps, AGlowLooksAsInTriangles) {
   EXPECT_LT(distance(picture(triangles, atlas), picture(stamped, atlas)).most, 6);
 }
 
-TEST(Stamps, WhatIsTooLargeIsDrawnInTriangles) {
+TEST(Stamps, ABallTooLargeForAStampIsDrawnInTriangles) {
   app::Atlas atlas;
   app::Stamps stamps(atlas);
   app::DrawList triangles, stamped;

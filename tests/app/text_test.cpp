@@ -103,7 +103,7 @@ TEST_F(LoadedTexts, HavePluralForms) {
   EXPECT_EQ(words.count(Text::turns, 2), "2 b");
   EXPECT_EQ(words.count(Text::turns, 11), "11 c");
   EXPECT_EQ(words.count(Text::turns, 321), "321 a");
-  // What is not translated has the English forms.
+  // A text without a translation has the English forms.
   EXPECT_EQ(words.count(Text::replay_count, 11), "11 replays");
 }
 
@@ -147,7 +147,7 @@ TEST(Words, EveryTextInEveryLanguageForEveryHand) {
   }
 }
 
-TEST(Words, TellWhatTheHandDoes) {
+TEST(Words, NameTheInputDevice) {
   Words words(Language::en);
   EXPECT_EQ(words(Text::hint_shoot), "Click where to send it. Esc or right click: cancel.");
   EXPECT_EQ(words(Text::next_throw, {"N"}), "Next throw (N)");

@@ -11,7 +11,7 @@ using app::Box;
 using app::Language;
 using every_screen::Shown;
 
-/// Whether a tip is to be read, on one line or several, the last of which may be cut short.
+/// Is true if a tip is shown, on one line or several, the last of which may be cut short.
 bool tells(const Shown& shown, const std::string& tip) {
   std::string all;
   const app::DrawList& list = shown.draw();
@@ -28,7 +28,7 @@ void expect_tips(const Shown& shown) {
     const std::string name = '"' + button.text + "\" of " + shown.where;
     ASSERT_FALSE(button.tip.empty()) << name;
     EXPECT_NE(button.tip, button.text) << name;
-    // What cannot be shown says so all the time.
+    // A level that cannot be shown says so all the time.
     if (button.text.find(button.tip) == std::string::npos) {
       EXPECT_FALSE(tells(shown, button.tip)) << name << " tells it all the time";
     }

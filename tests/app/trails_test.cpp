@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What is drawn behind a ball of this speed (px/s) after ten steps.
+/// The trail of a ball of this speed (px/s) after ten steps.
 app::DrawList trail_at(double speed, bool moved_by_hand = false) {
   carom::Scene scene;
   scene.friction = 1;

@@ -117,7 +117,7 @@ TEST_F(ButtonsTest, AFingerNeedNotBeExact) {
   EXPECT_FALSE(tap({10, 77}));
 }
 
-TEST_F(ButtonsTest, WhatIsTakenBackPressesNothing) {
+TEST_F(ButtonsTest, ACancelledPressPressesNothing) {
   press({50, 60});
   buttons.event(app::PointerCancelled{}, sounds);
   EXPECT_FALSE(buttons.hovered(1));

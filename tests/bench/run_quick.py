@@ -61,7 +61,7 @@ def check(program, bench, folder):
         golden.write_text("\n".join(wrong) + "\n", encoding="utf-8")
         noticed = run("--scene", "BREAK", "--by", "carom", "--golden", golden)
         assert noticed.returncode == 1 and "WRONG" in noticed.stderr, (name, noticed)
-    # What is missing can be added, what is there stays.
+    # Missing rows can be added, rows that are there stay.
     added = run("--scene", "BREAK", "--by", "carom", "--golden", golden, "--update-golden")
     assert added.returncode == 0, added
     assert sorted(golden.read_text(encoding="utf-8").splitlines()) == sorted(lines)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the engine, the rules and the replays must not use, because it could give other bits or
+"""Names that the engine, the rules and the replays must not use, because it could give other bits or
 another order elsewhere (docs/determinism.md). Each rule brings examples, and is tried on them
 before it is used.
 

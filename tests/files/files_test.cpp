@@ -32,7 +32,7 @@ class Files : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Files, ReadsWhatItWrote) {
+TEST_F(Files, ReadsAFileThatItWrote) {
   const std::string bytes("a\0b\n", 4);
   ASSERT_TRUE(files::write(folder_ / "new", bytes));
   EXPECT_EQ(files::read(folder_ / "new").value(), bytes);
@@ -52,7 +52,7 @@ TEST_F(Files, KeepsTheOldFileUntilTheCommit) {
   EXPECT_EQ(files::read(folder_ / "file").value(), "new");
 }
 
-TEST_F(Files, ReplacesWhatALinkPointsTo) {
+TEST_F(Files, ReplacesTheTargetOfALink) {
   ASSERT_TRUE(files::write(folder_ / "file", "old"));
   fs::create_symlink(folder_ / "file", folder_ / "link");
   ASSERT_TRUE(files::write(folder_ / "link", "new"));
@@ -60,19 +60,19 @@ TEST_F(Files, ReplacesWhatALinkPointsTo) {
   EXPECT_EQ(files::read(folder_ / "file").value(), "new");
 }
 
-TEST_F(Files, TellsWhatCannotBeRead) {
+TEST_F(Files, ReportsAFileThatCannotBeRead) {
   EXPECT_FALSE(files::read(folder_ / "nothing"));
   EXPECT_FALSE(files::read(folder_)) << "a folder";
 }
 
-TEST_F(Files, TellsWhatCannotBeWritten) {
+TEST_F(Files, ReportsAFileThatCannotBeWritten) {
   EXPECT_FALSE(files::write(folder_ / "no" / "folder", "bytes"));
   EXPECT_FALSE(files::write(folder_, "bytes")) << "a folder";
   EXPECT_FALSE(files::write("/dev/null", "bytes")) << "a device";
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(Files, KeepsThePermissionsOfWhatItReplaces) {
+TEST_F(Files, KeepsThePermissionsOfAReplacedFile) {
   ASSERT_TRUE(files::write(folder_ / "file", "old"));
   fs::permissions(folder_ / "file", fs::perms::owner_read | fs::perms::owner_write);
   ASSERT_TRUE(files::write(folder_ / "file", "new"));
@@ -101,7 +101,7 @@ TEST_F(Files, WritesANewFileOnlyWhereNoneIs) {
   EXPECT_FALSE(files::write_new(folder_ / "no" / "folder", "bytes"));
 }
 
-TEST_F(Files, RemovesOnlyWhatTheKilledLeftAside) {
+TEST_F(Files, RemovesOnlyHalfWrittenFilesOfKilledProcesses) {
   const ::pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {

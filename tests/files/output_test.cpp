@@ -80,13 +80,13 @@ TEST_F(OutputTest, TakesLongNames) {
   EXPECT_EQ(get(name), "bytes");
 }
 
-TEST_F(OutputTest, MakesWhatALinkPointsTo) {
+TEST_F(OutputTest, CreatesTheTargetOfALink) {
   fs::create_symlink(path("file"), path("link"));
   ASSERT_TRUE(write(path("link"), "bytes"));
   EXPECT_EQ(get("file"), "bytes");
 }
 
-TEST_F(OutputTest, KeepsWhatADescriptorHasWritten) {
+TEST_F(OutputTest, KeepsTheOutputOfADescriptor) {
   for (const int flags : {O_APPEND, O_TRUNC, 0}) {
     const int descriptor = ::open(path("log").c_str(), O_WRONLY | O_CREAT | flags, 0666);
     ASSERT_GE(descriptor, 0);
@@ -134,7 +134,7 @@ TEST_F(OutputTest, RefusesAnInput) {
   EXPECT_TRUE(files::Output("/dev/null", devices).opened());
 }
 
-TEST_F(OutputTest, TellsWhatCannotBeWritten) {
+TEST_F(OutputTest, ReportsAFileThatCannotBeWritten) {
   EXPECT_FALSE(files::Output(path("no") + "/folder").opened());
   EXPECT_FALSE(files::Output(folder_).opened());
   EXPECT_FALSE(files::Output("").opened());

@@ -52,7 +52,7 @@ std::vector<Event> fly(Game& game) {
 constexpr Throw away{{-400, 0}};  // out by the left side
 constexpr Throw at_enemy{{200, -45}};
 
-TEST(AngryBalls, RefusesASceneThatIsNoLevel) {
+TEST(AngryBalls, RefusesASceneThatIsNotALevel) {
   carom::Scene scene = level();
   scene.balls[0].role = carom::Role::neutral;
   EXPECT_FALSE(Game::create(scene));
@@ -74,7 +74,7 @@ TEST(AngryBalls, StandsStillUntilTheThrow) {
   EXPECT_EQ(game.throws_left(), 3);
 }
 
-TEST(AngryBalls, RefusesWhatThePhaseDoesNotAllow) {
+TEST(AngryBalls, RefusesCommandsThatThePhaseDoesNotAllow) {
   Game game = start(level());
   EXPECT_FALSE(game.apply(Next{}));
   EXPECT_FALSE(game.apply(Throw{{0, 0}}));

@@ -84,7 +84,7 @@ TEST(Rack, IsTheTriangleOfTheReport) {
   EXPECT_EQ(touching, 3 * 28) << "a triangle of 8 rows has 84 contacts";
 }
 
-TEST(Rack, IsWhatTheShippedBreakStartsFrom) {
+TEST(Rack, EqualsTheStartOfTheShippedBreak) {
   std::ifstream file(SOURCE_DIR "/scenes/break.json", std::ios::binary);
   const std::string json(std::istreambuf_iterator<char>(file), {});
   carom::Scene shipped = carom::read_scene(json).value();
@@ -104,7 +104,7 @@ TEST(Billiards, StartsWithTheFirstPlayerToAim) {
   EXPECT_FALSE(game.winner());
 }
 
-TEST(Billiards, RefusesWhatThePhaseDoesNotAllow) {
+TEST(Billiards, RefusesCommandsThatThePhaseDoesNotAllow) {
   Game game;
   const auto untouched = game.world().state_hash();
   EXPECT_FALSE(game.apply(Shoot{{0, 0}}));
@@ -410,7 +410,7 @@ TEST(BilliardsFromAnywhere, IsOverAtOnceWhereThereIsNothingToPocket) {
   EXPECT_FALSE(game.apply(Shoot{{10, 0}}));
 }
 
-TEST(BilliardsFromAnywhere, RefusesWhatIsNoTable) {
+TEST(BilliardsFromAnywhere, RefusesAWorldThatIsNotATable) {
   const auto problem = [](const carom::Scene& scene) {
     const auto game = Game::create(scene);
     return game ? "" : carom::to_string(game.errors().front());
@@ -427,7 +427,7 @@ TEST(BilliardsFromAnywhere, RefusesWhatIsNoTable) {
   EXPECT_EQ(problem(outside).substr(0, 8), "/balls/1") << problem(outside);
 }
 
-// What obstruction() lets pass can be placed, obstacles and open sides included.
+// A place that obstruction() accepts can be taken, obstacles and open sides included.
 TEST(BilliardsFromAnywhere, APlaceThatNothingObstructsIsTaken) {
   carom::Scene table = small_table();
   table.edges.left = carom::Edge::open;

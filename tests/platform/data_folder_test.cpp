@@ -43,7 +43,7 @@ TEST_F(DataFolder, NothingIsThereAtFirst) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
-TEST_F(DataFolder, WhatIsSavedIsLoaded) {
+TEST_F(DataFolder, ASavedTextIsLoaded) {
   ASSERT_TRUE(store.save("a.json", "one"));
   ASSERT_TRUE(store.save("a.json", "two"));
   EXPECT_EQ(store.load("a.json").value(), "two");
@@ -68,7 +68,7 @@ TEST_F(DataFolder, SavesANewFileOnlyWhereNoneIs) {
       << "nothing else is left behind";
 }
 
-TEST_F(DataFolder, ClearsAwayAtTheStartWhatTheKilledLeft) {
+TEST_F(DataFolder, RemovesHalfWrittenFilesAtTheStart) {
   const ::pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) ::_exit(0);
@@ -94,7 +94,7 @@ TEST_F(DataFolder, ListsTheFilesOfAFolderInOrder) {
   EXPECT_EQ(store.list("replays/"), (std::vector<std::string>{"replays/a.json", "replays/b.json"}));
 }
 
-TEST_F(DataFolder, RemovesWhatIsThereOrNot) {
+TEST_F(DataFolder, RemovingWorksWhetherTheFileExistsOrNot) {
   ASSERT_TRUE(store.save("a.json", "one"));
   EXPECT_TRUE(store.remove("a.json"));
   EXPECT_TRUE(store.remove("a.json"));
@@ -129,7 +129,7 @@ TEST_F(DataFolder, KeepsAGameAndSetsABrokenOneAside) {
   EXPECT_FALSE(app::KeptGames(store).latest());
 }
 
-TEST_F(DataFolder, WhatCannotBeReadIsNotRenamed) {
+TEST_F(DataFolder, AFileThatCannotBeReadIsNotRenamed) {
   fs::create_directories(folder / "continue-level-0007.json");  // root reads even mode 000
   app::KeptGames kept(store);
   write("continue-billiards.json", std::string(platform::FolderStore::max_text + 1, ' '));

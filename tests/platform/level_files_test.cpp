@@ -47,7 +47,7 @@ TEST_F(LevelFiles, AnEmptyFolderHasNone) {
   EXPECT_TRUE(platform::read_levels(folder / "empty").empty());
 }
 
-TEST_F(LevelFiles, ADeviceIsNoLevel) {
+TEST_F(LevelFiles, ADeviceIsNotALevel) {
   const auto levels = platform::read_levels("/dev/zero");
   ASSERT_EQ(levels.size(), 1u);
   EXPECT_FALSE(levels[0].scene);

@@ -47,7 +47,7 @@ TEST(NullPlatform, SameThrowSamePicture) {
   EXPECT_EQ(one.picture().pixels, two.picture().pixels);
 }
 
-TEST(NullPlatform, TellsWhatIsOnScreen) {
+TEST(NullPlatform, DescribesTheScreen) {
   EXPECT_EQ(Played("").app().describe(), "Angry Balls · title screen");
   EXPECT_EQ(Played(one_shot).app().describe(),
             "Angry Balls · Player 1 watches the shot · Player 1: 0 · Player 2: 0 · balls left: 36");
@@ -55,7 +55,7 @@ TEST(NullPlatform, TellsWhatIsOnScreen) {
             "Angry Balls · Joueur 1 vise · Joueur 1 : 0 · Joueur 2 : 0 · boules restantes : 36");
 }
 
-TEST(NullPlatform, PrintsWhatIsOnScreenAndKeepsGamesInAStore) {
+TEST(NullPlatform, PrintsTheScreenAndKeepsGamesInAStore) {
   app::MemoryStore store;
   NullPlatform game(app::Language::en, 1280, 720, {}, store);
   const auto script =

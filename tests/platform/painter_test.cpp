@@ -46,7 +46,7 @@ std::string difference(const std::vector<std::uint8_t>& a, const std::vector<std
   return {};
 }
 
-/// What may be in a frame: over one of three grounds, discs, balls and panes anywhere, in part
+/// Content of a frame: over one of three grounds, discs, balls and panes anywhere, in part
 /// outside.
 struct Frame {
   struct Thing {
@@ -81,7 +81,7 @@ Frame any_frame() {
   return frame;
 }
 
-TEST_F(PainterTest, WhatIsRestoredIsAsIfDrawnAnew) {
+TEST_F(PainterTest, ARestoredPictureEqualsOneDrawnAnew) {
   const auto seen = window();
   const auto other = window();
   platform::Painter painter(seen.get());

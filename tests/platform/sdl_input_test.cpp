@@ -40,7 +40,7 @@ class GamepadTest : public testing::Test {
     device = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
                                        SDL_CONTROLLER_BUTTON_MAX, 0);
     if (device < 0) GTEST_SKIP() << SDL_GetError();
-    // What its buttons and axes are is said in their own order.
+    // Its buttons and axes are given in their own order.
     inputs();
     stick = SDL_JoystickOpen(device);
     ASSERT_NE(stick, nullptr);
@@ -48,7 +48,7 @@ class GamepadTest : public testing::Test {
   }
   void TearDown() override { SDL_Quit(); }
 
-  /// What the app gets for all that has happened.
+  /// The app's input for all that has happened.
   std::vector<app::Input> inputs() {
     std::vector<app::Input> all;
     SDL_PumpEvents();

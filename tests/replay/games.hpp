@@ -59,7 +59,7 @@ inline std::vector<replay::Replay> both() {
   return {short_billiards().replay(), short_level().replay()};
 }
 
-/// What a text keeps of a replay.
+/// The part of a replay that a text keeps.
 inline replay::Replay with_short_hashes(replay::Replay replay) {
   for (replay::Move& move : replay.moves)
     if (&move != &replay.moves.back()) move.hash &= replay::short_hash_mask;

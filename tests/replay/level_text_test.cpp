@@ -25,7 +25,7 @@ carom::Scene shipped(const std::string& name) {
       .value();
 }
 
-TEST(LevelText, IsWhatTheFormatSaysAndReadsBack) {
+TEST(LevelText, FollowsTheDocumentedFormatAndReadsBack) {
   const carom::Scene level = shipped("01-first-steps.json");
   const std::string text = replay::write_level_text(level);
   EXPECT_EQ(text, recorded::text_of(carom::write_scene(level), version));

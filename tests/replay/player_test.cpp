@@ -111,7 +111,7 @@ TEST(Player, LooksAheadInPieces) {
   EXPECT_EQ(player.steps(), 0U) << "what is shown stays";
 }
 
-TEST(Player, PlaysAGameOfNoMoves) {
+TEST(Player, PlaysAGameWithoutMoves) {
   auto player = replay::verify({}).value();
   EXPECT_TRUE(player.turns().empty());
   EXPECT_FALSE(player.step());
@@ -166,7 +166,7 @@ TEST(Verify, NoticesAnotherScore) {
             "diverged in turn 1 at step 0: expected score 0 : 100, got score 0 : 0");
 }
 
-TEST(Verify, ComparesWhatIsKnownOfShortHashes) {
+TEST(Verify, ComparesTheKnownBitsOfShortHashes) {
   const replay::Replay full = short_billiards().replay();
   replay::Replay replay = with_short_hashes(full);
   EXPECT_EQ(divergence(replay), "verified");
@@ -192,7 +192,7 @@ TEST(Player, ShowsAGameUpToItsDivergence) {
   EXPECT_TRUE(player.seek(1));
 }
 
-TEST(Player, RefusesWhatIsNoSoundReplay) {
+TEST(Player, RefusesAnUnsoundReplay) {
   const auto problem = [](const replay::Replay& replay) {
     const auto player = replay::Player::create(replay);
     return player ? "" : carom::to_string(player.errors().front());

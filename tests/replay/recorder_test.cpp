@@ -59,7 +59,7 @@ TEST(Recorder, GivesAReplayAtAnyTime) {
   }
 }
 
-TEST(Recorder, WritesDownNothingOfWhatTheGameRefuses) {
+TEST(Recorder, DoesNotRecordCommandsThatTheGameRefuses) {
   replay::Recorder<billiards::Game> recorder{billiards::Game()};
   EXPECT_FALSE(recorder.apply(billiards::Place{{100, 100}}));
   EXPECT_FALSE(recorder.apply(billiards::Shoot{{0, 0}}));
@@ -91,7 +91,7 @@ TEST(Recorder, ACopyTakesATurnBack) {
   expect_verified(recorder.replay());
 }
 
-TEST(Recorder, GoesOnWithAGameThatWasKept) {
+TEST(Recorder, GoesOnWithASavedGame) {
   const replay::Replay kept = short_billiards().replay();
   auto player = replay::verify(kept).value();
   ASSERT_TRUE(player.seek(player.turns().size()));

@@ -34,7 +34,7 @@ std::string moves(const std::string& list) {
   return billiards_with(R"("score": [0, 0], "moves": [)" + list + "]");
 }
 
-TEST(ReplayFile, IsWrittenALineAMove) {
+TEST(ReplayFile, IsWrittenOneLinePerMove) {
   replay::Replay replay;
   replay.moves = {{billiards::Shoot{{331.5, -0.0}}, 412, 0x123456789abcdef},
                   {billiards::Place{{1e-7, 100}}, 0, ~std::uint64_t{0}}};
@@ -248,7 +248,7 @@ TEST(ReplayFile, TheDocumentedOneIsReal) {
             std::string::npos);
 }
 
-TEST(ReplayFile, RefusesWhatIsTooDeepTooLongOrTooMuch) {
+TEST(ReplayFile, RefusesFilesTooDeepTooLongOrTooLarge) {
   EXPECT_NE(problem(R"({"level": {"x": )" + std::string(100'000, '[')).find("is nested too deeply"),
             std::string::npos);
   EXPECT_NE(problem(R"({"level": )" + std::string(100'000, '{')).find("is not valid JSON"),

@@ -21,7 +21,7 @@ std::string problem(std::string_view text) {
 // Physics, rules, billiards, both scores, the number of moves.
 const std::string empty_game("\x01\x01\x00\x00\x00\x00", 6);
 
-TEST(ReplayText, IsWhatTheFormatSays) {
+TEST(ReplayText, FollowsTheDocumentedFormat) {
   EXPECT_EQ(replay::write_text({}), text_of(empty_game));
   replay::Replay replay;
   replay.moves = {{billiards::Shoot{{1, -0.015625}}, 300, 0x1234567890abcdef},
@@ -103,7 +103,7 @@ TEST(ReplayText, RefusesOtherPhysicsAndRules) {
             "is version 2 of the text of a replay; expected version 1");
 }
 
-TEST(ReplayText, RefusesWhatIsNotTheWholeText) {
+TEST(ReplayText, RefusesPartsOfAText) {
   const std::string text = replay::write_text(short_level().replay());
   for (std::size_t size = 0; size < text.size(); ++size) {
     ASSERT_NE(problem(text.substr(0, size)), "no problem") << size;
@@ -130,7 +130,7 @@ TEST(ReplayText, RefusesEveryOtherCharacterAtEveryPlace) {
   }
 }
 
-TEST(ReplayText, RefusesWhatMakesNoSense) {
+TEST(ReplayText, RefusesImpossibleContents) {
   const auto with = [](std::size_t at, char byte) {
     std::string payload = empty_game;
     payload[at] = byte;

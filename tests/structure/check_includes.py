@@ -50,7 +50,7 @@ def read_modules(cmake):
 
 
 def problem(path, include, modules):
-    """What is wrong with `include` in the file `path` (from the root); none if nothing is."""
+    """Returns the fault of `include` in the file `path` (from the root); none if it is fine."""
     parts = pathlib.PurePosixPath(path).parts
     target = pathlib.PurePosixPath(include).parts
     public = parts[0] == "include"

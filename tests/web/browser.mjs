@@ -1,4 +1,4 @@
-// What the browser tests share: a server of the page, a headless Chromium, and a page to play on.
+// Shared by the browser tests: a server of the page, a headless Chromium, and a page to play on.
 //   import { withPage, check } from "./browser.mjs";
 //   await withPage({ width: 1280, height: 720 }, async (game) => { await game.click(220, 383); … });
 
@@ -115,7 +115,7 @@ class Game {
     }, [name, content]);
     await this.page.dispatchEvent("#canvas", "drop", { dataTransfer: data });
   }
-  // What the game has kept under a name in the browser's storage; null for nothing.
+  // The text that the game has saved under a name in the browser's storage; null for none.
   async stored(name) {
     return this.page.evaluate((key) => localStorage.getItem(key), `angry-balls/${name}`);
   }
@@ -127,7 +127,7 @@ class Game {
       await this.page.waitForTimeout(50);
     }
   }
-  // What the page says to those who do not see the canvas.
+  // The page's text for those who do not see the canvas.
   async live() { return this.page.locator("#live").textContent(); }
   async waitFor(...texts) {
     await this.page.waitForFunction(

@@ -44,7 +44,7 @@ const instead = (some, content) => changed(some, Object.fromEntries(wasm.map((na
 const damaged = (content) => Buffer.from(content.map((byte, i) => (i === content.length >> 1 ? byte ^ 1 : byte)));
 const page = first.get("index.html");
 
-// What is not all of the second version.
+// Parts of the second version that are missing or wrong.
 const withoutPrograms = {
   "without the programs": new Map([...second].filter(([name]) => !name.endsWith(".wasm"))),
   "with the old programs": changed(second, Object.fromEntries(wasm.map((name) => [name, first.get(name)]))),
@@ -65,7 +65,7 @@ await withPage({ server: await server() }, async (game, context, server) => {
   await game.open();
   await game.page.evaluate(() => navigator.serviceWorker.ready);
   await game.reload();
-  // What was right in one of them is kept, so they must lack the same.
+  // A part that was right in one of them is kept, so they must lack the same.
   for (const [what, some] of Object.entries(withoutPrograms)) {
     site = some;
     await game.reload();

@@ -1,4 +1,4 @@
-// What a link carries: a replay made by the desktop's carom is verified, bit by bit; a level is
+// Content of links: a replay made by the desktop's carom is verified, bit by bit; a level is
 // played; a wrong or hostile one shows a message and the title screen.
 
 import { join } from "node:path";
@@ -9,7 +9,7 @@ const file = join(root, "tests/replays/billiards-whole.json");
 const text = carom("replay", "--text", file).trim();
 const level = carom("level-link", join(root, "levels/02-two-towers.json")).trim();
 
-// What unpacks to far more than any level may be.
+// A text that unpacks to far more than any level may be.
 const bombs = [deflateSync, deflateRawSync].map((deflate) =>
   Buffer.concat([Buffer.from([65]), deflate(Buffer.alloc(1 << 28))]).toString("base64url"));
 
@@ -29,7 +29,7 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   check(await copied() === `${game.address}#replay=${text}`,
     `another link than the one opened, in ${shown}`);
 
-  // What is pasted where nothing takes it does not come later.
+  // A text pasted where nothing takes it does not come later.
   const write = (pasted) => game.page.evaluate((text) => navigator.clipboard.writeText(text), pasted);
   await game.open();
   await game.press("Enter"); // Billiards

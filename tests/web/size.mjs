@@ -1,4 +1,4 @@
-// What is requested until the title takes input, packed as servers pack it.
+// Size of all that is requested until the title takes input, packed as servers pack it.
 
 import { gzipSync } from "node:zlib";
 import { check, files, serve, withPage } from "./browser.mjs";

@@ -27,7 +27,7 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     await game.waitFor("Settings · Players");
     await game.tap(200, 186); // Name of player 2
     await game.until(async () => (await game.stored("settings.json"))?.includes("Zoé"));
-    await game.tap(575, 31); // Close
+    await game.tap(575, 31); // Leave
     await game.waitFor("title screen");
     answer = readFileSync(join(root, "tests/replays/level-06-won.txt"), "utf8");
     await game.tap(239, 235); // Replays

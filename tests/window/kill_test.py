@@ -132,7 +132,7 @@ def main():
             if not told <= kept <= turns:
                 sys.exit(f"run {run}: {told} turns were told, {kept} are kept")
             kept_turns[kept] = kept_turns.get(kept, 0) + 1
-            # What was half written when the kill came goes at the next start.
+            # A file half written when the kill came goes at the next start.
             if any(data.glob("*.part-*")):
                 left_aside += 1
                 subprocess.run(game.command(nothing, data, size), check=True, capture_output=True)

@@ -122,7 +122,7 @@ def practice(window, pictures):
     window.wait_for("practice: Player 1 watches")
     window.key("BackSpace")
     window.wait_for("practice: Player 1 aims")
-    # What was taken back is aimed again: edited by keys, wheel and numbers, and shot by Enter.
+    # A shot taken back is aimed again: edited by keys, wheel and numbers, and shot by Enter.
     window.key("shift+Left")
     window.xdotool("click", 4)
     for key in ("1", "7", "8", "period", "5", "Tab", "6", "0", "Return"):

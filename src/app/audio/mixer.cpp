@@ -92,7 +92,7 @@ constexpr float centre = 2 * std::numbers::pi_v<float> * 20 / Mixer::rate;
 
 int samples(float ms) { return static_cast<int>(ms * Mixer::rate / 1000); }
 
-/// What is left after a sample of what is a thousandth after `ring` ms.
+/// Decay per sample of a sound that is down to a thousandth after `ring` ms.
 float shrinkage(float ring) { return std::exp(-6.9078f / (ring * Mixer::rate / 1000)); }
 
 /// 32 bits that look random.

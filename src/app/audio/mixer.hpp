@@ -58,7 +58,7 @@ class Mixer {
   void add(Voice voice);
 
   std::vector<Voice> voices_;
-  /// What a voice that gave way leaves behind: a sudden end would click.
+  /// The rest of a voice that gave way: a sudden end would click.
   Sides residue_{};
   Sides mean_{};  ///< of what was mixed lately
   float gain_ = 1;

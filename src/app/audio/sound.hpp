@@ -32,7 +32,7 @@ struct SoundEvent {
   friend bool operator==(const SoundEvent&, const SoundEvent&) = default;
 };
 
-/// What is to be heard since it was last taken.
+/// The sounds since they were last taken.
 class Sounds {
  public:
   static constexpr float faintest = 0.015f;      ///< what is weaker is not heard
@@ -56,7 +56,7 @@ class Sounds {
     return taken;
   }
   bool empty() const { return events_.empty(); }
-  /// Whether the world is seen turned by a quarter to the left: it is heard as it is seen.
+  /// True while the world is seen turned by a quarter to the left: it is heard as it is seen.
   void turn(bool turned) { turned_ = turned; }
   bool turned() const { return turned_; }
 

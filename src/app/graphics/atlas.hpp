@@ -27,7 +27,7 @@ class Atlas {
   const Color& texel(int x, int y) const { return texels_[index(x, y)]; }
   /// Changes whenever all was forgotten.
   std::uint64_t version() const { return version_; }
-  /// What was added since then, in order.
+  /// The parts added since then, in order.
   std::span<const Part> parts() const { return parts_; }
   /// Where `part` lies in texture coordinates.
   Rect texture(const Part& part) const;

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// What a screen draws on.
+/// The target of a screen's drawing.
 struct Canvas {
   DrawList& list;
   Font& font;

@@ -19,7 +19,7 @@ struct Vertex {
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-/// What a text or a button covers: for tests of the layout and for assistive tools.
+/// The area of a text or button: for tests of the layout and for assistive tools.
 struct Box {
   enum class Kind : std::uint8_t {
     text,
@@ -88,7 +88,7 @@ struct DrawList {
     const auto d = add({box.x, box.bottom()}, color, {texture.x, texture.bottom()});
     quad(a, b, c, d);
   }
-  /// What was drawn up to here is still.
+  /// Marks all that was drawn up to here as still.
   void stand_still() {
     still_vertices = vertices.size();
     still_indices = indices.size();

@@ -23,7 +23,7 @@ void label(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_
 /// any length, such as names.
 void label_or_elide(Canvas& canvas, const Rect& box, const TextStyle& style, std::string_view utf8);
 
-/// How wide the line comes out if it has all the room it wants, px.
+/// Width of the line if it has all the room it wants, px.
 float label_width(const Canvas& canvas, const TextStyle& style, std::string_view utf8);
 
 /// The line, or as much of its start as fits in `width` (px), and "…".

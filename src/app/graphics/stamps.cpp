@@ -26,7 +26,7 @@ void bleed(Image& image) {
   }
 }
 
-/// What is not clear, and a clear rim around it.
+/// The part that is not clear, and a clear rim around it.
 Atlas::Part ink_of(const Image& image) {
   int left = image.width, top = image.height, right = 0, bottom = 0;
   for (int y = 0; y < image.height; ++y) {

@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// What a finger needs, each way, in points of the screen.
+/// The size that a finger needs, each way, in points of the screen.
 inline constexpr float finger_target = 44;
 
 /// The window's size and the scale of everything drawn in it. Lengths of the interface are written

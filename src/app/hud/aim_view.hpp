@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// What the launch will do: an arrow as strong as it is, and the ways that `preview` foretells.
+/// The launch: an arrow as strong as it is, and the ways that `preview` foretells.
 /// With an empty preview the arrow is as long as the drag.
 void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& world, const Aim& aim,
               const Preview& preview);

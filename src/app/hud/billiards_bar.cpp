@@ -10,7 +10,7 @@ namespace app {
 BilliardsBar::BilliardsBar(const Words& words) : words_(words) {}
 
 void BilliardsBar::resize(const View& view, const Rect& area) {
-  relabel(words_(Text::settings), words_(Text::restart), words_(Text::close));
+  relabel(words_(Text::settings), words_(Text::restart), words_(Text::leave));
   explain({words_(Text::tip_settings), words_(Text::tip_restart), words_(Text::tip_close)});
   const float gap = view.px(8);
   auto [row, rest] = place(view, area);

@@ -36,7 +36,7 @@ void draw_picture(Canvas& canvas, const Rect& box, int number, bool by_hand) {
   DrawList& list = canvas.list;
   const float r = std::min(box.h * 0.22f, box.w * 0.12f);
   const Point middle = box.center();
-  // What happens is in the middle: the ball alone, with the hand, with its way.
+  // The action is in the middle: the ball alone, with the hand, with its way.
   const std::array aside{0.0f, 1.4f, -1.8f};
   const Point ball = middle + Point{r * aside[static_cast<std::size_t>(number)], 0};
   const Point hand = ball + Point{-r * 3.2f, r * 1.2f};

@@ -49,7 +49,7 @@ void PracticeStrip::resize(const View& view, const Rect& area) {
 }
 
 std::optional<PracticeCommand> PracticeStrip::event(const Input& input, Sounds& sounds) {
-  // What the other buttons do, the keys of aiming do.
+  // The keys of aiming do the same as the other buttons.
   if (is_key(input, Key::backspace)) return TakeBack{};
   if (is_command(input, Command::again)) return Repeat{};
   // The focus is moved from outside, through the bar's buttons too.

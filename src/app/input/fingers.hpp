@@ -11,7 +11,7 @@ namespace app {
 /// the first has begun; then nothing counts until all are lifted.
 class Fingers {
  public:
-  /// What the pointer does by it.
+  /// Returns the pointer's input that it means.
   std::vector<Input> event(const Finger& finger);
   bool none() const { return down_.empty(); }
 

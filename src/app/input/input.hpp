@@ -7,7 +7,7 @@
 #include "app/base/time.hpp"
 #include "app/graphics/geometry.hpp"
 
-/// What the player does, free of any platform. Points are in window px.
+/// The player's input, free of any platform. Points are in window px.
 namespace app {
 
 enum class PointerButton : std::uint8_t { left, right };
@@ -36,7 +36,7 @@ enum class Key : std::uint8_t {
   // clang-format on
 };
 
-/// What a letter does, which the player can put on another one (key_bindings.hpp). All other keys
+/// The effect of a letter, which the player can move to another one (key_bindings.hpp). Other keys
 /// are fixed.
 enum class Command : std::uint8_t {
   again,  ///< starts anew; in practice repeats the throw
@@ -60,7 +60,7 @@ struct PointerReleased {
 };
 /// The pointer is nowhere any more: a finger was lifted.
 struct PointerLeft {};
-/// What the pointer has begun is taken back, and it is nowhere any more.
+/// The pointer's press is taken back, and the pointer is nowhere any more.
 struct PointerCancelled {};
 struct KeyPressed {
   Key key = Key::enter;

@@ -25,12 +25,12 @@ class KeyBindings {
   carom::Status bind(Command command, Key key);
   /// The command of a letter; none if it has none, or is not a letter.
   std::optional<Command> command_of(Key key) const;
-  /// What a screen gets: for a letter its command, none if it has none; any other input itself.
+  /// Returns a screen's input: for a letter its command, none if it has none; else `input` itself.
   std::optional<Input> meaning(const Input& input) const;
 
   /// Names of commands and letters, "again" and "r", for a file.
   std::vector<std::pair<std::string, std::string>> to_pairs() const;
-  /// What is left out stays at its default. Fails on unknown names, what is named twice, and
+  /// Commands left out stay at their defaults. Fails on unknown names, names given twice, and
   /// letters that would do two things.
   static carom::Result<KeyBindings> from_pairs(
       const std::vector<std::pair<std::string, std::string>>& pairs);
@@ -46,10 +46,10 @@ inline bool is_letter(Key key) { return key >= Key::a && key <= Key::z; }
 /// The keyboard as the player has it.
 struct Keyboard {
   KeyBindings bindings;
-  /// What is printed on a letter's key; empty: as in the United States. May give an empty text.
+  /// The print on a letter's key; empty: as in the United States. May give an empty text.
   std::function<std::string(Key)> label;
 
-  /// What to call the key of a command.
+  /// Name of a command's key.
   std::string name(Command command) const;
 };
 

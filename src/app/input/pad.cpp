@@ -78,12 +78,12 @@ std::vector<Input> Pad::event(const Input& input, bool steers) {
     return {KeyReleased{key}};
   }
   if (const auto* moved = std::get_if<PadMoved>(&input)) {
-    // What is no number would be no direction either.
+    // A value that is not a number would not be a direction either.
     float& axis = axes_[static_cast<std::size_t>(moved->axis)];
     const float before =
         std::exchange(axis, moved->value >= -1 && moved->value <= 1 ? moved->value : 0);
     if (moved->axis == PadAxis::right_trigger) {
-      // What makes a throw stronger makes it pass quicker.
+      // The trigger that makes a throw stronger makes it pass quicker.
       if (axis > flick && before <= flick && !steers) return {CommandPressed{Command::fast}};
       if (axis <= flick && before > flick) return {CommandReleased{Command::fast}};
       return {};

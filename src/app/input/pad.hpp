@@ -15,9 +15,9 @@ namespace app {
 /// the power; where nothing is steered, the left stick is a cross.
 class Pad {
  public:
-  /// What it means at once. `steers`: something is aimed or placed.
+  /// Returns its immediate meaning. `steers`: something is aimed or placed.
   std::vector<Input> event(const Input& input, bool steers);
-  /// What is held goes on for so long.
+  /// Returns the meaning of all that is held for so long.
   std::vector<Input> advance(nanoseconds elapsed, bool steers);
   /// Something is held: time has to pass.
   bool held() const;

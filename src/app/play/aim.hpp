@@ -12,7 +12,7 @@ inline constexpr double least_aim_speed = 31;
 
 /// The launch that is being aimed: one direction and strength that every device edits.
 ///
-/// What is launched lies on the grid of replays (grid.hpp): drag() is the grid point nearest to
+/// A launch lies on the grid of replays (grid.hpp): drag() is the grid point nearest to
 /// what was set, so it can be up to 0.06 px/s off, and 0.02° at 200 px/s. The exact value is kept
 /// beneath, so small steps add up: ten of 0.1° are 1°.
 class Aim {

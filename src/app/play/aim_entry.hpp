@@ -15,14 +15,14 @@ namespace app {
 /// empty changes nothing.
 class AimEntry {
  public:
-  /// Whether a sign can be part of a number.
+  /// Is true if a sign can be part of a number.
   static bool accepts(char sign);
 
   /// Digits, a point or comma, and a minus before an angle; Tab changes the field, Backspace takes
   /// a sign back. Takes every key.
   void event(const Input& input);
-  /// Sets what is typed: an angle, and a speed as Aim::set_speed() takes it. What is no number
-  /// changes nothing.
+  /// Sets what is typed: an angle, and a speed as Aim::set_speed() takes it. A text that is not a
+  /// number changes nothing.
   void apply(Aim& aim) const;
   /// Fills `area`.
   void draw(Canvas& canvas, const Rect& area, const Words& words) const;

@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// How quickly the game's time passes.
+/// Speed of the game's time.
 struct Speed {
   int quarters = 4;  ///< of real time, > 0
 };
@@ -21,9 +21,9 @@ class Clock {
   /// so that a slow machine shows slow motion instead of falling ever further behind.
   static constexpr int catch_up = 8;
 
-  /// How many steps to take now.
+  /// Returns the number of steps to take now.
   int advance(nanoseconds elapsed, Speed speed = real_speed);
-  /// How far into the step to come, in [0, 1).
+  /// Returns the part of the coming step that has passed, in [0, 1).
   double fraction() const;
   /// Starts anew, at the beginning of a step.
   void reset() { remainder_ = 0; }

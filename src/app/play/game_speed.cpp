@@ -15,7 +15,7 @@ bool GameSpeed::event(const Input& input, bool free, bool watches) {
     return false;
   }
   if (paused_) {
-    // What ends the pause does nothing else: a click is no shot.
+    // The press that ends the pause does nothing else: a click is not a shot.
     const bool ends = is_press_of_key(input) || std::holds_alternative<PointerPressed>(input);
     if (ends) paused_ = false;
     return ends || std::holds_alternative<TextTyped>(input) ||

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// How quickly a game is shown, by the player's hand and by what happens: P pauses, F or a finger
+/// Speed of the shown game, by the player's hand and by events: P pauses, F or a finger
 /// held down goes faster, a decisive moment passes slowly. Only how many steps a frame makes: the
 /// steps are the same.
 class GameSpeed {
@@ -19,7 +19,7 @@ class GameSpeed {
   /// So long a press is a touch like any other, not yet one that is held.
   static constexpr nanoseconds touch_time = milliseconds{250};
 
-  /// Whether it was meant for the pace: then it is done with. `free`: the game is on top, and may
+  /// Returns true if it was meant for the speed: then it is done with. `free`: the game may
   /// be paused. `watches`: a press does nothing else there.
   bool event(const Input& input, bool free, bool watches);
   /// Nothing is held any more.

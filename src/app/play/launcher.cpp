@@ -112,7 +112,7 @@ Launcher::Outcome Launcher::event(const Input& input, const Stage& stage) {
     return released->button == PointerButton::left ? release(released->at, stage)
                                                    : Outcome::untouched;
   if (const auto* pressed = std::get_if<KeyPressed>(&input)) return key(*pressed, stage);
-  // Numbers that are typed are no commands.
+  // Numbers that are typed are not commands.
   if (std::holds_alternative<CommandPressed>(input))
     return entry ? Outcome::taken : Outcome::untouched;
   if (const auto* released = std::get_if<KeyReleased>(&input)) {

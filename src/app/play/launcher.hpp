@@ -22,7 +22,7 @@ namespace app {
 /// edit one Aim, in whatever order: turn by the pointer, add 1 px/s by a key, let go.
 class Launcher {
  public:
-  /// What the launcher needs to know of the screen when something happens.
+  /// The state of the screen when something happens.
   struct Stage {
     carom::Ball lead;
     Viewport viewport;
@@ -56,7 +56,7 @@ class Launcher {
   /// Shows a launch, to be edited.
   void show(const Aim& launch);
 
-  /// What a hint has to speak of.
+  /// The subject of a hint.
   enum class Stance : std::uint8_t {
     idle,      ///< no aim
     clicked,   ///< the first of two clicks is made
@@ -110,7 +110,7 @@ class Launcher {
   bool refused_ = false;
 };
 
-/// What is being aimed in a screen's state, of which a Launcher is one; null when nothing is.
+/// Returns the aim in a screen's state, of which a Launcher is one; null when nothing is aimed.
 template <class State>
 auto* aim_in(State& state) {
   auto* launcher = std::get_if<Launcher>(&state);
@@ -127,12 +127,12 @@ struct AimHints {
   Text missed;
   Text send;
 };
-/// What the player can do now.
+/// Hint at the next thing to do.
 Text aim_hint(const Launcher& launcher, AimWay way, bool touch, const AimHints& hints);
-/// What to tell a player who does nothing.
+/// Hint for a player who does nothing.
 Text nudge(AimWay way);
 
-/// Whether a click takes the lead. It is small: next to it will do.
+/// Is true if a click there takes the lead. It is small: next to it will do.
 bool on_lead(const carom::Ball& lead, Point at, const Viewport& viewport, const View& view);
 
 /// A ring around the lead; it opens up under the pointer.

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// What can be done to the throw that a repetition makes.
+/// Changes of the throw that a repetition makes.
 enum class Change : std::uint8_t { faster, slower, left, right };
 struct TakeBack {};
 struct Repeat {};

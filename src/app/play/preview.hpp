@@ -26,7 +26,7 @@ struct Waypoint {
 };
 using BallPath = std::vector<Waypoint>;
 
-/// What a launch will bring: taken from the engine, which plays it.
+/// Forecast of a launch: taken from the engine, which plays it.
 struct Preview {
   BallPath lead;                     ///< from its place to its first contact with a ball
   std::optional<carom::Vec2> ghost;  ///< px, the lead's centre when it first touches a ball
@@ -52,7 +52,7 @@ class Previewer {
   /// that is too weak. Good until the next call.
   const Preview& of(const carom::World& world, const Aim& aim, const AimSettings& settings,
                     bool practice);
-  /// How many were made.
+  /// Number of previews made.
   std::size_t made() const { return made_; }
 
  private:

@@ -62,7 +62,7 @@ struct Session {
 Language language_of(const Session& session);
 /// Makes `words` speak it, once its texts are there.
 void speak(const Session& session, Words& words);
-/// What a new game of billiards is played by; `alone`: for practice.
+/// Options of a new game of billiards; `alone`: for practice.
 games::billiards::Options options_of(const Session& session, bool alone);
 
 /// The clipboard's content. Neither a replay nor a fault: it comes later, with Key::paste.
@@ -76,7 +76,7 @@ Pasted read_pasted(const Session& session);
 /// The fault in words.
 Text pasted_fault(ReplayFault fault);
 
-/// What copying a replay gives: its text, or a link to it.
+/// The text that is copied for a replay: its own, or a link to it.
 std::string shared_text(const Session& session, const replay::Replay& replay);
 
 }  // namespace app

@@ -22,7 +22,7 @@ constexpr float most_width = 1040;
 
 constexpr float key_share = 0.36f;  ///< of a column
 
-/// What tells how to play by a hand.
+/// The section on playing by a hand.
 Text own_section(InputDevice hand) {
   return hand == InputDevice::finger ? Text::help_touch
          : hand == InputDevice::pad  ? Text::help_pad

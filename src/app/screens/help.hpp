@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// All keys, and what mouse, fingers and gamepad do, over any screen; on as many pages as the
+/// All keys, and the use of mouse, fingers and gamepad, over any screen; on as many pages as the
 /// window makes of it.
 class Help final : public Screen {
  public:

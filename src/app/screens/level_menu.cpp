@@ -140,7 +140,7 @@ Navigation LevelMenu::choose(ButtonId button) {
   return PlayLevel{level, campaign_.practice};
 }
 
-/// What a card's tip says: what is to be done, or the whole of a broken level's error.
+/// A card's tip: the goal, or the whole of a broken level's error.
 std::string LevelMenu::about(std::size_t index) const {
   const Level& level = campaign_.levels[index];
   if (!level.scene) return words_(Text::hint_broken_level, {problem_of(words_, level)});
@@ -150,7 +150,7 @@ std::string LevelMenu::about(std::size_t index) const {
                                   words_.number(scene.throws)});
 }
 
-/// What the line below says: of a card, a trouble, or what to do.
+/// The line below: about a card, a trouble, or the next thing to do.
 std::string LevelMenu::notice() const {
   std::optional<std::size_t> level = told_;
   for (std::size_t i = 0; i < list_.count(); ++i)

@@ -65,7 +65,7 @@ void LicencesPanel::resize(const View& view, const Rect& area) {
   page_ = rest;
   line_ = view.px(line_height);
   rows_ = static_cast<std::size_t>(std::max(rest.h / line_, 1.0f));
-  // What is at the top stays there.
+  // The line at the top stays there.
   const char* const at = lines_.empty() ? text_.data() : lines_[top_].data();
   lines_ = wrapped(text_, std::max(rest.w / view.px(text_size), 10.0f));
   const auto same = std::ranges::upper_bound(lines_, at, {}, &std::string_view::data);

@@ -10,13 +10,13 @@
 #include "app/play/session.hpp"
 #include "app/widgets/dialog.hpp"
 
-/// What a screen wants to happen next. A request carries all that it needs; App applies it to the
-/// stack of screens.
+/// Requests by which one screen leads to another. A request carries all that it needs; App applies
+/// it to the stack of screens.
 namespace app {
 
-/// What a screen leaves of those below it.
+/// The effect of a screen on those below it.
 enum class Cover : std::uint8_t {
-  whole,    ///< nothing: they are not drawn, and wait
+  whole,    ///< they are not drawn, and wait
   waiting,  ///< they are drawn, and wait
   running,  ///< they are drawn, and time passes for them
 };

@@ -11,7 +11,7 @@ class NextOffer {
  public:
   /// Puts the button into the world's upper part.
   void place(const View& view, const Rect& world, std::string label, std::string tip);
-  /// Whether it is taken. `focus_elsewhere`: another button has the keyboard's focus; `on_button`:
+  /// Returns true if it is taken. `focus_elsewhere`: another button has the focus; `on_button`:
   /// the pointer is on one.
   bool event(const Input& input, bool focus_elsewhere, bool on_button, Sounds& sounds);
   Buttons& buttons() { return prompt_; }

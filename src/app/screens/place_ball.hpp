@@ -11,7 +11,7 @@ namespace app {
 /// The cue ball in hand is carried by pointer, arrows or sticks, and put down.
 class PlaceBall {
  public:
-  /// What it needs to know of the screen when something happens.
+  /// The state of the screen when something happens.
   struct Stage {
     const games::billiards::Game& game;
     const Viewport& viewport;

@@ -1,4 +1,4 @@
-// What PlayScreen shows and tells.
+// PlayScreen's picture and its line of text.
 
 #include "app/graphics/palette.hpp"
 #include "app/hud/aim_view.hpp"

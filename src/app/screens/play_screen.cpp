@@ -77,7 +77,7 @@ auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Handled {
   const Launcher::Outcome outcome = launcher->event(input, stage());
   if (outcome != Launcher::Outcome::untouched) {
     blur();
-    // What is aimed is finite and not zero: the game takes it.
+    // The aim is finite and not zero: the game takes it.
     if (outcome == Launcher::Outcome::launch && played_.launch(launcher->aim)) {
       follow_phase();
       keep();  // leaving while the balls roll takes nothing back

@@ -23,7 +23,7 @@
 
 namespace app {
 
-/// What the player does; it follows the game's phase. Aiming is a Launcher.
+/// States of the player; they follow the game's phase. Aiming is a Launcher.
 struct Watching {};
 struct Over {
   Dialog dialog;
@@ -53,7 +53,7 @@ class PlayScreen : public Screen {
 
   const Game& game() const { return played_.game(); }
   const Viewport& viewport() const { return world_view_.viewport(); }
-  /// What is being aimed; null when nothing is.
+  /// The aim that is being edited; null when nothing is aimed.
   const Aim* aimed() const { return aim_in(state_); }
 
  protected:
@@ -72,7 +72,7 @@ class PlayScreen : public Screen {
   /// The constructor's last step, when all of the game is there.
   void begin();
 
-  // What is the game's own.
+  // The game's own part.
   virtual Doing doing() const = 0;
   /// Time makes steps of the game.
   virtual bool moving() const = 0;
@@ -82,12 +82,12 @@ class PlayScreen : public Screen {
   virtual Over ending() = 0;
   virtual bool start_again() = 0;
   virtual void announce_start() = 0;
-  /// What the rules made of a step or command.
+  /// An event of the rules, of a step or command.
   virtual void note(const Event& event) = 0;
   virtual void after_step() {}
   /// A launch begins, or the game is elsewhere: the last launch is not shown any more.
   virtual void begin_launch() {}
-  /// What to ask before a command, if anything; its buttons are a Reply each.
+  /// The question before a command, if there is one; its buttons are a Reply each.
   virtual std::optional<Dialog> question_before(UserBar::Command command) const = 0;
   /// Where the game is left to.
   virtual Navigation leave_to() const = 0;
@@ -116,7 +116,7 @@ class PlayScreen : public Screen {
   virtual Color lead_color(const Palette& palette) const = 0;
   /// Where effects may be written, window px.
   virtual Rect effects_area(const Canvas& canvas) const = 0;
-  /// What the player does, in words; and the whole line with it.
+  /// The player's state in words; and the whole line with it.
   virtual std::string now() const = 0;
   virtual std::string state_line(const std::string& now) const = 0;
 

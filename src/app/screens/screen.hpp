@@ -10,15 +10,15 @@
 
 namespace app {
 
-/// What letters are to a screen.
+/// The meaning of letters to a screen.
 enum class Letters : std::uint8_t {
   commands,  ///< those that they are bound to
   text,      ///< a text that is typed
   keys,      ///< keys as they are pressed: the screen binds them
 };
 
-/// What fills the window, or lies over what does (ScreenStack). Input and time go in; a picture and
-/// a request come out.
+/// Fills the window, or lies over another screen (ScreenStack). Takes input and time; gives a
+/// picture and requests.
 class Screen {
  public:
   virtual ~Screen() = default;
@@ -30,7 +30,7 @@ class Screen {
   /// Only a screen that waits for something goes elsewhere by itself.
   virtual Navigation iterate(nanoseconds) { return Stay{}; }
   virtual void draw(Canvas& canvas) const = 0;
-  /// What is on screen, in one line.
+  /// The content of the screen in one line.
   virtual std::string describe() const = 0;
   /// The picture changes without input.
   virtual bool animating() const { return false; }

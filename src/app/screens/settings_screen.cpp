@@ -247,7 +247,7 @@ std::string SettingsScreen::value_of(const SettingsRow& row) const {
   return &row == named() ? typed_ : row.get(words_, session_.settings.get());
 }
 
-/// What a control is for; a page, what it has.
+/// A control's purpose; of a page, its rows.
 std::string SettingsScreen::tip(Control control) const {
   if (control == close()) return words_(Text::tip_close_help);
   if (control == help()) return words_(Text::tip_help);

@@ -28,7 +28,7 @@ class SettingsScreen final : public Screen {
   Letters letters() const override { return named() ? Letters::text : Letters::commands; }
 
  private:
-  /// What can be clicked or have the focus, in that order: the pages, the rows, "Help", "Close".
+  /// A part that is clicked or has the focus, in that order: pages, rows, "Help", "Close".
   using Control = std::size_t;
   static constexpr std::size_t pages = settings_pages;
   static constexpr std::size_t most_lines = most_settings_rows;

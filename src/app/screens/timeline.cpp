@@ -62,7 +62,7 @@ void draw_timeline(Canvas& canvas, const Rect& area, const Rect& within,
     const Rect box{from, area.y, std::max(to - from - 1, 1.0f), area.h};
     const float radius = std::min(canvas.px(3), box.w / 4);
     fill_rounded(list, box, radius, faded(accent, last < player.reached_turns() ? 0.55f : 0.2f));
-    // What brought points has a lit top.
+    // A turn that brought points has a lit top.
     if (scored) {
       Rect lit = box;
       fill_rounded(list, lit.cut_top(canvas.px(5)), radius, palette::brass_lit);

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// The whole replay from left to right in `area`, a mark a turn, and where it stands. The hand that
-/// shows this stays in `within`.
+/// The whole replay from left to right in `area`, a mark per turn, and where it stands. The hand
+/// that shows this stays in `within`.
 void draw_timeline(Canvas& canvas, const Rect& area, const Rect& within,
                    const replay::Player& player);
 

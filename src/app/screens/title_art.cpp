@@ -57,7 +57,7 @@ void draw_wordmark(Canvas& canvas, const Rect& area, std::string product, Align 
     TextStyle dark = style;
     dark.color = faded(palette::ink, 0.55f);
     label(canvas, box.moved(drop), dark, word);
-    canvas.list.boxes.pop_back();  // a shadow is no text
+    canvas.list.boxes.pop_back();  // a shadow is not a text
     const std::size_t first = canvas.list.vertices.size();
     label(canvas, box, style, word);
     const Paint lit =

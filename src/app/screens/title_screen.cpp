@@ -85,7 +85,7 @@ Text TitleScreen::tip_of(Choice choice) {
   return Text::tip_quit;
 }
 
-/// What the saved game is called on its button.
+/// Label of the saved game's button.
 std::string TitleScreen::offer() const {
   const replay::Replay& game = latest_->game;
   if (game.kind() == Kind::billiards) {

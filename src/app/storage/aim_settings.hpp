@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// How much of what will happen is shown while a player aims (preview.hpp).
+/// Length of the preview while a player aims (preview.hpp).
 enum class PreviewLength : std::uint8_t {
   off,      ///< only where the launch goes
   contact,  ///< up to the first ball that is hit
@@ -12,7 +12,7 @@ enum class PreviewLength : std::uint8_t {
   full,     ///< the whole turn; only in practice, elsewhere it means brief
 };
 
-/// What the pointer does to aim. The keyboard aims in each way, and a click on the lead that does
+/// Ways to aim by the pointer. The keyboard aims in each way, and a click on the lead that does
 /// not move starts the report's two clicks in each way.
 enum class AimWay : std::uint8_t {
   clicks,  ///< one click on the lead, one where to send it (§1.4.1)
@@ -20,7 +20,7 @@ enum class AimWay : std::uint8_t {
   turn,    ///< the pointer turns; wheel, bar or Space held set the strength; a click launches
 };
 
-/// What a player chooses about aiming.
+/// A player's choices about aiming.
 struct AimSettings {
   PreviewLength preview = PreviewLength::brief;
   AimWay way = AimWay::pull;

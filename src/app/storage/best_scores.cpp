@@ -30,7 +30,7 @@ std::optional<std::int64_t> whole_number(const json& value) {
 
 BestScores::BestScores(Store& store) : store_(store) {
   const auto lock = store_.lock();
-  // What was set aside may hold scores of value: they are written anew.
+  // The file set aside may hold scores of value: they are written anew.
   if (merge_stored() && trouble_ == Trouble::set_aside && !best_.empty()) save();
 }
 

@@ -28,7 +28,7 @@ class BestScores {
 
  private:
   using Scores = std::map<std::string, std::int64_t>;
-  /// What can be made of a text, and whether that is all of it.
+  /// The scores that a text holds, and whether they are all of it.
   struct Parsed {
     Scores scores;
     bool whole = false;

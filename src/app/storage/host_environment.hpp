@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What is different where the game runs: as it is here in a window of a desktop.
+/// Differences between the places where the game runs. The defaults: a window of a desktop.
 struct HostEnvironment {
   /// Stands before "#replay=TEXT" in what is copied: a page's address. Empty: the bare text is.
   std::string link_prefix{};
@@ -22,7 +22,7 @@ struct HostEnvironment {
   /// Asks a finger for a text, where no keyboard comes up by itself: what for, and what it is so
   /// far; nothing if the player takes it back. Empty: it is typed.
   std::function<std::optional<std::string>(const std::string&, const std::string&)> ask_text{};
-  /// What the help shows as the licences. Empty: show_licences() does it outside of the window.
+  /// The licences in the help. Empty: show_licences() shows them outside of the window.
   std::string_view licences{};
   std::function<void()> show_licences{};
   /// Gets the texts of a language that is wanted and not there (has_texts), for App::take_texts()

@@ -71,7 +71,7 @@ std::optional<KeptGames::Kept> KeptGames::latest() {
   return std::nullopt;
 }
 
-/// What is stored is what was read or written here: no other window has gone on with it.
+/// Is true if the stored text was read or written here: no other window has gone on with it.
 bool KeptGames::unchanged(const Place& place) const {
   if (place.name.empty()) return false;
   const auto stored = store_.load(place.name);
@@ -85,7 +85,7 @@ bool KeptGames::save_anew(Place& place, Kind kind, const std::string& text) {
     const std::string name = numbered(kind, ++number);
     const auto saved = store_.save_new(name, text);
     if (!saved) return false;
-    if (!saved.value()) continue;  // taken, by what is no file or by another window
+    if (!saved.value()) continue;  // taken, by another window or by something that is not a file
     place.name = name;
     return true;
   }

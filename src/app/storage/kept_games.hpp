@@ -26,7 +26,7 @@ class KeptGames {
     Place place;
     replay::Replay game;
   };
-  /// What was stored and cannot be continued.
+  /// A stored game that cannot be continued.
   struct Refused {
     std::string name;
     replay::Kind kind{};
@@ -50,9 +50,9 @@ class KeptGames {
   void forget(Place& place);
   /// The player no longer wants it. False when it cannot be removed.
   bool remove(const std::string& name) { return store_.remove(name).ok(); }
-  /// What is kept turned out to be none.
+  /// Refuses a saved game that turned out to be none.
   void refuse(const std::string& name, ReplayFault fault);
-  /// What has been refused and not been told yet, one at a time.
+  /// Returns a refused game that was not reported yet, one at a time.
   std::optional<Refused> take_refused();
 
  private:

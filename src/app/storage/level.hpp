@@ -32,10 +32,10 @@ struct Level {
 /// `file`: its name, for messages; `bytes`: what is in it, or why it could not be read.
 Level read_level(const std::string& file, const carom::Result<std::string>& bytes);
 
-/// A sound level that is no file, such as that of a game kept.
+/// A sound level without a file, such as that of a saved game.
 Level level_of(const carom::Scene& scene);
 
-/// What a level is called among other words: a shipped one by its name, others in quotes, with
+/// Name of a level among other words: of a shipped one its own, of others in quotes, with
 /// where they come from.
 std::string shown_name(const Words& words, const Level& level);
 

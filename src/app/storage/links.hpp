@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-/// What a link to the page carries behind its address (docs/formats.md).
+/// The part of a link to the page behind its address (docs/formats.md).
 namespace app {
 
 namespace links {
@@ -11,7 +11,7 @@ inline constexpr std::string_view replay = "#replay=";
 inline constexpr std::string_view level = "#level=";
 }  // namespace links
 
-/// What stands behind `key` in a link; none if it is not in there.
+/// Returns the text behind `key` in a link; none if it is not in there.
 inline std::optional<std::string_view> behind(std::string_view key, std::string_view link) {
   const std::size_t at = link.find(key);
   if (at == std::string_view::npos) return std::nullopt;

@@ -160,7 +160,7 @@ std::optional<Settings> parse(const std::string& text) {
   return settings;
 }
 
-/// Whether it can be shown within a line.
+/// Is true if it can be shown within a line.
 bool printable(char32_t code) {
   return code >= 0x20 && (code < 0x7f || code >= 0xa0) && code != 0x2028 && code != 0x2029;
 }
@@ -178,7 +178,7 @@ void merge(const OrderedJson& before, const OrderedJson& mine, OrderedJson& thei
     merge(*old, *changed, *merged);
 }
 
-/// What the player has changed here counts, and what another window has changed of the rest.
+/// Changes made here count, and of the rest those of another window.
 Settings merged(const Settings& before, const Settings& mine, const Settings& theirs) {
   OrderedJson both = json_of(theirs);
   merge(json_of(before), json_of(mine), both);
@@ -227,7 +227,7 @@ KeptSettings::Trouble KeptSettings::take_trouble() {
   return std::exchange(told_, true) ? Trouble::none : trouble_;
 }
 
-/// What is stored, if it are settings. Moves away what are none.
+/// Returns the stored settings. Sets a file aside that does not hold any.
 std::optional<Settings> KeptSettings::load() {
   const auto stored = store_.load(settings_file);
   blocked_ = !stored.ok();
@@ -245,7 +245,7 @@ void KeptSettings::set(Settings settings) {
   settings.volume = std::clamp(settings.volume, 0, most_volume);
   const Settings before = std::exchange(settings_, std::move(settings));
   const auto lock = store_.lock();
-  // Another window, or an editor, may have saved since: what are no settings is not overwritten.
+  // Another window, or an editor, may have saved since: other contents are not overwritten.
   if (const auto stored = load()) settings_ = merged(before, settings_, *stored);
   if (blocked_) return;
   if (!lock || !store_.save(settings_file, text_of(settings_)))

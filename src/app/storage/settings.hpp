@@ -17,7 +17,7 @@ namespace app {
 
 /// Less motion than the games like to show.
 enum class ReducedMotion : std::uint8_t { system, on, off };
-/// Who has the first turn of a game of billiards.
+/// The player who has the first turn of a game of billiards.
 enum class Breaks : std::uint8_t {
   player_1,
   player_2,
@@ -29,7 +29,7 @@ inline constexpr int most_volume = 100;
 inline constexpr std::size_t max_settings = 64 << 10;  ///< bytes of a file
 inline constexpr std::size_t longest_name = 24;        ///< code points
 
-/// What the player has chosen. A plain value; the defaults are those of the first start.
+/// The player's choices. A plain value; the defaults are those of the first start.
 struct Settings {
   std::optional<Language> language;  ///< the system's if none
   int volume = 80;                   ///< per cent, 0 to most_volume
@@ -49,7 +49,7 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// What can be shown of a text that was typed, pasted or found in a file: whole UTF-8 without
+/// The part of a text, typed, pasted or from a file, that can be shown: whole UTF-8 without
 /// control characters, without blanks at its ends, at most longest_name code points. `unfinished`:
 /// a blank at the end may be followed by more, and stays.
 std::string name_of(std::string_view typed, bool unfinished = false);
@@ -59,7 +59,7 @@ struct FinishedGame {
   int first_player = 0;       ///< 0 or 1
   std::optional<int> winner;  ///< 0 or 1; none: a draw
 };
-/// Who has the first turn after `last`; none: no game was finished yet. After a draw the loser is
+/// The player of the first turn after `last`; none: no game was finished yet. A draw's loser is
 /// the one who did not have it.
 int first_player(Breaks breaks, const std::optional<FinishedGame>& last);
 

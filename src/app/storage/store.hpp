@@ -31,7 +31,7 @@ class Store {
   /// Waits for other windows, but not for ever: null when one does not let go. Not to be asked for
   /// again while it is held.
   virtual std::unique_ptr<StoreLock> lock() { return std::make_unique<StoreLock>(); }
-  /// What was saved under `name`; none if nothing was. Fails when it is there and cannot be read.
+  /// Returns the text saved under `name`; none if nothing was. Fails when it cannot be read.
   virtual carom::Result<std::optional<std::string>> load(const std::string& name) = 0;
   virtual carom::Status save(const std::string& name, const std::string& text) = 0;
   /// The same, but never over something: false when the name is taken.

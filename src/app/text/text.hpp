@@ -37,7 +37,7 @@ Language language_of_locale(std::string_view locale);
 /// Takes the texts of a language from a file that po/compile.py made, in place of those it had.
 /// False, and nothing changes, if it was made for another version of the program.
 bool load_texts(Language language, std::string file);
-/// Whether there are texts; a language without any is spoken in English.
+/// Is true if there are texts; a language without any is spoken in English.
 bool has_texts(Language language);
 
 /// The language of a start.

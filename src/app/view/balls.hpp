@@ -18,7 +18,7 @@ BallLook look_of(BallKind kind, const Palette& palette);
 void draw_ball(DrawList& list, Point center, float radius, const BallLook& look, float opacity = 1);
 /// The same by a stamp: for radii that come again.
 void draw_ball(DrawList& list, Point center, float radius, BallKind kind);
-/// What it darkens of the ground it lies on; drawn before every ball.
+/// A ball's shadow on the ground; drawn before every ball.
 void draw_ball_shadow(DrawList& list, Point center, float radius);
 
 }  // namespace app

@@ -9,10 +9,10 @@
 
 namespace app {
 
-/// What should stay in sight, window px: the holes, and the balls in play of a world of a few.
+/// Things that should stay in sight, window px: holes, and the balls in play if they are few.
 std::vector<Rect> things_in(const carom::World& world, const Viewport& viewport);
 
-/// How many of `things` a box lies over.
+/// Number of `things` that a box lies over.
 std::size_t covered(const Rect& box, std::span<const Rect> things);
 
 /// `box` moved within `area` to where it covers the fewest of `things`; of such places, to the

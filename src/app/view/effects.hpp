@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// What passes by on its own and changes nothing: balls sinking into pockets or bursting, points
+/// Effects that pass by themselves and change nothing: balls sinking or bursting, points
 /// floating up, announcements.
 class Effects {
  public:

@@ -2,7 +2,7 @@
 
 #include "app/graphics/draw_list.hpp"
 
-/// What tells balls apart besides their colour. `radius` is the ball's.
+/// Marks that tell balls apart besides their colour. `radius` is the ball's.
 namespace app {
 
 /// The projectile's and the title's: furious, glaring to the right.

@@ -8,7 +8,7 @@
 
 namespace app {
 
-// What passes by after a step or command of a game and what is heard of it: contacts, balls that
+// Effects and sounds of a game's step or command: contacts, balls that
 // sink or burst, the points they make, and how it ends.
 
 void show_events(Effects& effects, Sounds& sounds, const games::billiards::Game& game,

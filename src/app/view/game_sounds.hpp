@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// What is heard of a step: contacts by their strength, balls that drop or break. `level`: balls of
+/// Sounds of a step: contacts by their strength, balls that drop or break. `level`: balls of
 /// wood and stone on earth, instead of billiard balls on a table.
 void note_contacts(Sounds& sounds, std::span<const carom::Event> events, const carom::Scene& scene,
                    bool level);

@@ -167,7 +167,7 @@ void draw_armour(DrawList& list, Point c, float r, int hoops) {
   if (hoops > 1) stroke_circle(list, c, r * 0.76f, r * 0.07f, palette::iron);
 }
 
-/// What tells a ball from others of its radius, without its cracks.
+/// Marks that tell a ball from others of its radius, without its cracks.
 struct LevelBallLook {
   BallKind kind;
   bool enemy;
@@ -249,7 +249,7 @@ void draw_high_ball(DrawList& list, const Rect& area, Point c, float r, BallKind
 BallKind kind_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level) {
   if (carom::is_lead(ball.role)) return BallKind::ivory;
   if (ball.role == carom::Role::enemy) return BallKind::red;
-  // What no single throw can break is stone.
+  // A ball that no single throw can break is of stone.
   const bool wood = breaking_speed(full_solidity, level) <= games::max_launch_speed;
   return wood ? BallKind::wooden : BallKind::stone;
 }

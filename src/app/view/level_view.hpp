@@ -11,11 +11,11 @@ namespace app {
 /// Shows a whole level, and more sky if there is room.
 Viewport level_viewport(const Rect& area, const carom::Scene& level);
 
-/// What stands still: the landscape, walls, solid sides, and what carries the projectile.
+/// The still part: landscape, walls, solid sides, and the projectile's stand.
 void draw_level(DrawList& list, const Rect& area, const Viewport& viewport,
                 const carom::Scene& level);
 
-/// What quick balls leave behind, drawn before every ball.
+/// Trails of quick balls, drawn before every ball.
 void draw_level_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
                        const carom::Scene& level, const Interpolator& motion, double fraction);
 /// The balls in play, `fraction` of the way through the current step, with the cracks they got
@@ -24,10 +24,10 @@ void draw_level_balls(DrawList& list, const Rect& area, const Viewport& viewport
                       const carom::World& world, const carom::Scene& level,
                       const Interpolator& motion, double fraction);
 
-/// Whether a ball may be drawn beyond the top edge of `area`.
+/// Is true if a ball may be drawn beyond the top edge of `area`.
 bool any_above(const Rect& area, const Viewport& viewport, const carom::World& world);
 
-/// What a ball is made of; `full_solidity` is what it had at first.
+/// A ball's material; `full_solidity` is its first one.
 BallKind kind_of(const carom::Ball& ball, double full_solidity, const carom::Scene& level);
 
 }  // namespace app

@@ -38,7 +38,7 @@ class TablePainter {
     room(window);
     wood();
     sights();
-    // What the cushions leave free at the pockets.
+    // The gaps that the cushions leave at the pockets.
     fill_between(list_, rounded(around(cushion_width), px(7)), list_.palette->felt_dark,
                  rounded(around(-1), px(7)), list_.palette->felt_dark);
     for (const carom::Hole& hole : scene_.holes) pocket_leather(hole);

@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// What quick balls leave behind them for some hundredths of a second, softer the slower they are.
+/// Trails of quick balls for some hundredths of a second, softer the slower the balls are.
 /// `color_of`: of a ball.
 void draw_trails(DrawList& list, const Viewport& viewport, const carom::World& world,
                  const Interpolator& motion, double fraction,

@@ -15,7 +15,7 @@ class Viewport {
 
   Point to_window(carom::Vec2 world) const;
   carom::Vec2 to_world(Point window) const;
-  /// What the world between two corners fills, window px.
+  /// The area of the world between two corners, window px.
   Rect to_window(carom::Vec2 from, carom::Vec2 to) const;
   /// The vector of the world that is seen as `way` (y up).
   carom::Vec2 seen_as(carom::Vec2 way) const { return turned_ ? carom::Vec2{way.y, -way.x} : way; }
@@ -25,7 +25,7 @@ class Viewport {
   float px(double world_length) const { return static_cast<float>(world_length * scale_); }
 
  private:
-  /// What a vector of the world is seen as (y up).
+  /// A vector of the world as it is seen (y up).
   carom::Vec2 as_seen(carom::Vec2 world) const {
     return turned_ ? carom::Vec2{-world.y, world.x} : world;
   }

@@ -19,7 +19,7 @@ class WorldView {
   void fit(const Rect& area, float margin);
   const Viewport& viewport() const { return viewport_; }
   const Rect& area() const { return area_; }
-  /// What a table with its wood fills; of a level its area.
+  /// The area of a table with its wood; of a level its own.
   Rect box() const;
 
   /// A table's room fills the window.

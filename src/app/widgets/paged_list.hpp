@@ -29,7 +29,7 @@ class PagedList {
   }
   /// The item that is the page's first.
   std::size_t first() const { return page_ * per_page_; }
-  /// How many items the page has.
+  /// Number of items on the page.
   std::size_t count() const { return std::min(per_page_, items_ - first()); }
 
   /// The page that a button goes to, round and round; none if it is another button.
