@@ -26,8 +26,11 @@ class Hands : public testing::Test {
  protected:
   Player game{app::Language::en, 1280, 720};
 
+  /// The table on screen; under the window of the end the one that was seen last.
   const app::BilliardsScreen& table() {
-    return dynamic_cast<const app::BilliardsScreen&>(game.app().screen());
+    if (const auto* seen = dynamic_cast<const app::BilliardsScreen*>(&game.app().screen()))
+      table_ = seen;
+    return *table_;
   }
   const app::AngryBallsScreen& level() {
     return dynamic_cast<const app::AngryBallsScreen&>(game.app().screen());
@@ -144,6 +147,9 @@ class Hands : public testing::Test {
     ASSERT_TRUE(at) << "no button " << label << " in " << game.title();
     tap(*at);
   }
+
+ private:
+  const app::BilliardsScreen* table_ = nullptr;
 };
 
 TEST_F(Hands, ATableByKeyboardAlone) {

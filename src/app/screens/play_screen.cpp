@@ -149,6 +149,7 @@ template <class Game, class Waiting>
 std::optional<Ask> PlayScreen<Game, Waiting>::opens() {
   const auto* over = std::get_if<Over>(&state_);
   if (!over || over->wait > nanoseconds{0}) return std::nullopt;
+  game_speed_.let_go();
   Ask ask{.dialog = over->dialog, .line = describe(), .cover = Cover::running};
   if (played_.practice())
     ask.shortcuts = {{Key::backspace, take_back}, {app::Command::again, repeat}};
