@@ -26,4 +26,15 @@ Box hole_free_box(const Scene& scene) {
   return box;
 }
 
+RoundedHoles::RoundedHoles(const Scene& scene) {
+  x.fill(1e8F);
+  y.fill(1e8F);
+  radius.fill(0);
+  for (std::size_t n = 0; n < std::min(scene.holes.size(), most); ++n) {
+    x[n] = static_cast<float>(scene.holes[n].position.x);
+    y[n] = static_cast<float>(scene.holes[n].position.y);
+    radius[n] = static_cast<float>(scene.holes[n].radius);
+  }
+}
+
 }  // namespace carom

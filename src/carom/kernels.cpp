@@ -19,9 +19,10 @@ namespace carom {
 
 const Kernels& plain_kernels() {
 #ifdef __SSE2__
-  static constexpr Kernels plain{"SSE2", may_meet, within, to_floats, advance};
+  static constexpr Kernels plain{"SSE2", may_meet, within, to_floats, least, not_after, advance};
 #else
-  static constexpr Kernels plain{"portable", may_meet, within, to_floats, advance};
+  static constexpr Kernels plain{"portable", may_meet,  within, to_floats,
+                                 least,      not_after, advance};
 #endif
   return plain;
 }

@@ -31,7 +31,7 @@ namespace carom {
 
 const Kernels* avx2_kernels() {
 #ifdef __x86_64__
-  static constexpr Kernels wide{"AVX2", may_meet, within, to_floats, advance};
+  static constexpr Kernels wide{"AVX2", may_meet, within, to_floats, least, not_after, advance};
   return __builtin_cpu_supports("avx2") ? &wide : nullptr;
 #else
   return nullptr;

@@ -54,24 +54,23 @@ class Stepper {
     while (taken.steps < most && events_.empty() && !taken.rests) {
       std::uint64_t steps = 1;
       bool may_rest = true;
+      const bool anywhere = forecast_wanted_ && Forecast::begins_anywhere(fixed_);
+      if (!forecast_.begun() && anywhere) forecast_.begin(fixed_, balls_, lead_out_, false);
       if (forecast_.begun()) {
         std::uint64_t limit = most - taken.steps;
         if (until_rest) limit = std::min(limit, forecast_.steps_until_rest());
-        steps = forecast_.pass_quiet_steps(fixed_, balls_, limit);
-        if (steps == 0) {
-          if (!forecast_.begun()) continue;
-          due_step();
-          steps = 1;
-        }
+        steps = forecast_steps(limit);
+        if (steps == 0) continue;
         may_rest = forecast_.may_rest();
       } else {
         whole_step();
-        if (forecast_wanted_) forecast_.begin(fixed_, balls_, lead_out_, !events_.empty());
+        if (forecast_wanted_ && !anywhere)
+          forecast_.begin(fixed_, balls_, lead_out_, !events_.empty());
       }
       taken.steps += steps;
-      if (!until_rest || !may_rest) continue;
+      if (!may_rest) continue;
       if (forecast_.begun() && forecast_.is_busy(fixed_, balls_)) continue;
-      taken.rests = world_.at_rest();
+      if (until_rest) taken.rests = world_.at_rest();
     }
     return taken;
   }
@@ -96,23 +95,31 @@ class Stepper {
     }
   }
 
-  // The same, where only the balls that are due need more than stage 1.
-  void due_step() {
-    const int k = forecast_.parts(fixed_, balls_);
+  // At most `most` steps: quiet ones, then one that is not. None, if the forecast has ended.
+  std::uint64_t forecast_steps(std::uint64_t most) {
+    const Forecast::Ahead ahead = forecast_.look_ahead(fixed_, balls_, most);
+    if (!forecast_.begun()) return 0;
+    const bool at_once = ahead.due && ahead.whole;
+    if (const int moves = ahead.quiet + (at_once ? 1 : 0); moves > 0)
+      forecast_.advance(fixed_, balls_, moves);
+    forecast_.pass(ahead.quiet);
+    if (ahead.due) due_step(at_once);
+    return static_cast<std::uint64_t>(ahead.quiet + (ahead.due ? 1 : 0));
+  }
+
+  // A step in which only the balls that are due need more than stage 1. `moved`: this one is over.
+  void due_step(bool moved) {
+    const int k = moved ? 1 : forecast_.parts(fixed_, balls_);
     const double h = time_step / k;
     const bool lead_was_out = lead_out_;
     int part = 0;
     while (part < k && lead_out_ == lead_was_out) {
       ++part;
-      begin_part();
-      const double friction = part == k ? scene_.friction : 1.0;
-      if (!forecast_.move(fixed_, balls_, h, friction)) move(h, friction);
-      BallMask put = 0;
-      if (const BallMask due = forecast_.due(fixed_, part, k); due != 0) {
-        DuePairs pairs(balls_, gone_, forecast_, due, scene_.gravity > 0);
-        put = after_due_move(pairs);
+      if (!moved) forecast_.move(fixed_, balls_, h, part == k ? scene_.friction : 1.0);
+      if (const Forecast::Due due = forecast_.due(fixed_, balls_, part, k); due.balls != 0) {
+        begin_part();
+        after_due_move(due);
       }
-      forecast_.settle(fixed_, balls_, any_gone_ ? ~BallMask{0} : put);
     }
     forecast_.end_step(fixed_, balls_, part, k);
   }
@@ -133,23 +140,30 @@ class Stepper {
     remove();
   }
 
-  // Returns the balls that were put elsewhere.
-  BallMask after_due_move(DuePairs& pairs) {
-    collide(pairs);
+  void after_due_move(const Forecast::Due& due) {
+    const bool gravity = scene_.gravity > 0;
+    DuePairs pairs(balls_, gone_, forecast_, due, gravity);
+    if (due.pairs != 0) collide(pairs);
     pairs.choose_active();
-    if (scene_.gravity > 0) support(pairs);
-    for (std::size_t n = 0; n < scene_.holes.size(); ++n)
-      for_each_ball(pairs.active(), [&](std::size_t i) {
-        if (!gone_[i]) hole(n, i);
-      });
+    for_each_ball(pairs.active(), [&](std::size_t i) {
+      balls_.set_acceleration(i, {0, -scene_.gravity});
+    });
+    if (gravity) support(pairs);
+    if (const BallMask near = gravity ? pairs.active() : due.holes | pairs.struck(); near != 0)
+      for (std::size_t n = 0; n < scene_.holes.size(); ++n)
+        for_each_ball(near, [&](std::size_t i) {
+          if (!gone_[i]) hole(n, i);
+        });
     obstacles(pairs);
+    const BallMask struck = pairs.struck();
     for_each_ball(pairs.active(), [&](std::size_t i) {
       const Vec2 before = balls_.position(i);
       edges(i);
       if (!(balls_.position(i) == before)) pairs.moved(i);
     });
     remove();
-    return pairs.put();
+    const BallMask all = ~BallMask{0};
+    forecast_.settle(fixed_, balls_, any_gone_ ? all : struck, any_gone_ ? all : pairs.put());
   }
 
   // Runs action(begin, end) on all of [0, size), on several threads if there are.

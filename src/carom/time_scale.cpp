@@ -1,8 +1,25 @@
 #include "carom/internal/time_scale.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
 #include "carom/world.hpp"
 
 namespace carom {
+
+namespace {
+
+// The binary logarithm to three digits, by arithmetic alone, which gives the same bits everywhere.
+// It only chooses where a table is looked at first.
+double rough_log2(double positive) {
+  const auto bits = std::bit_cast<std::uint64_t>(positive);
+  const auto exponent = static_cast<double>(static_cast<int>(bits >> 52) - 1023);
+  const auto m = std::bit_cast<double>((bits & 0xfffffffffffff) | 0x3ff0000000000000);
+  return exponent - 2.1362321 + m * (3.0111622 + m * (-1.0268049 + m * 0.15270028));
+}
+
+}  // namespace
 
 TimeScale::TimeScale(const Scene& scene) : straight(scene.gravity == 0 && scene.obstacles.empty()) {
   // From here on the clock's steps would be too small beside its time.
@@ -18,6 +35,29 @@ TimeScale::TimeScale(const Scene& scene) : straight(scene.gravity == 0 && scene.
     way += time_step * f;
     f *= scene.friction;
   }
+  if (straight) rate_ = (1 - scene.friction) / time_step;
+  per_log_ = scene.friction < 1 ? steps / rough_log2(power[static_cast<std::size_t>(steps)]) : 0;
+}
+
+int TimeScale::last_before(double end, int from) const {
+  if (!(at(steps) >= end)) return steps;
+  // end ≤ at(steps), so the share is about f^steps at least.
+  const double share = 1 - rate_ * end;
+  const double guess = rate_ > 0 ? rough_log2(share) * per_log_ : end / at(1);
+  int m = guess > from ? std::min(static_cast<int>(guess), steps) : from;
+  while (m > from && at(m) >= end) --m;
+  while (m < steps && at(m + 1) < end) ++m;
+  return m;
+}
+
+int TimeScale::first_slower(double share, int from) const {
+  const auto slower = [&](int m) { return power[static_cast<std::size_t>(m)] <= share; };
+  if (!slower(steps)) return steps + 1;
+  const double guess = share < 1 ? rough_log2(share) * per_log_ : 0;
+  int m = guess > from ? std::min(static_cast<int>(guess), steps) : from;
+  while (m > from && slower(m - 1)) --m;
+  while (m < steps && !slower(m)) ++m;
+  return m;
 }
 
 }  // namespace carom

@@ -66,6 +66,7 @@ Result<World> World::create(Scene scene) {
 }
 
 bool World::at_rest() const {
+  if (owner_.workspace && owner_.workspace->forecast.surely_busy()) return false;
   const ExactArithmetic exact;
   // Squares far from the limit's need no root to be told from it.
   constexpr double surely_fast = rest_speed * rest_speed * 1.001;

@@ -20,7 +20,9 @@ KEYS_DIFFER = "// keys differ: "
 # Here floats choose what is then tested in doubles: they are rounded so that nothing is missed, and
 # what is found in vain changes nothing.
 FLOAT_FILES = ("include/carom/quadtree.hpp", "src/carom/quadtree.cpp",
-               "src/carom/forecast.cpp", "src/carom/internal/forecast.hpp",
+               "src/carom/forecast.cpp", "src/carom/prediction.cpp",
+               "src/carom/internal/forecast.hpp", "src/carom/fixed_parts.cpp",
+               "src/carom/internal/fixed_parts.hpp",
                "src/carom/internal/kernel_loops.hpp", "src/carom/internal/kernels.hpp",
                "src/carom/internal/packed_index.hpp", "src/carom/internal/quadtree_search.hpp",
                "src/carom/internal/row_pairs.hpp", "src/carom/internal/vectors.hpp")

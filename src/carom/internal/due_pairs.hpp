@@ -24,10 +24,9 @@ namespace carom {
 class DuePairs {
  public:
   DuePairs(const Balls& balls, const std::vector<std::uint8_t>& gone, Forecast& forecast,
-           BallMask due, bool gravity)
-      : balls_(balls), gone_(gone), forecast_(forecast), active_(due), gravity_(gravity) {
-    forecast_.pack(balls);
-    for_each_ball(due, [&](std::size_t i) { look(i); });
+           const Forecast::Due& due, bool gravity)
+      : balls_(balls), gone_(gone), forecast_(forecast), active_(due.balls), gravity_(gravity) {
+    for_each_ball(due.pairs, [&](std::size_t i) { look(i); });
   }
 
   std::optional<Pair> next_overlap(Pair after) {
@@ -53,7 +52,9 @@ class DuePairs {
       const auto k = static_cast<std::size_t>(std::countr_zero(near));
       if (gone_[k] != 0 || !touch(balls_, k, pair.first) || !touch(balls_, k, pair.second))
         continue;
-      active_ |= bit(k);  // its velocity changes, even where its position does not
+      // Its velocity changes, even where its position does not.
+      active_ |= bit(k);
+      struck_ |= bit(k);
       return k;
     }
     return std::nullopt;
@@ -62,6 +63,7 @@ class DuePairs {
   void moved(std::size_t i) {
     moved_ |= bit(i);
     put_ |= bit(i);
+    struck_ |= bit(i);
     active_ |= bit(i);
   }
 
@@ -77,6 +79,8 @@ class DuePairs {
   BallMask active() const { return active_; }
   /// Those that were moved.
   BallMask put() const { return put_; }
+  /// Those that were moved or met another ball.
+  BallMask struck() const { return struck_; }
 
   template <class Visit>
   void for_each_touching(Visit visit) const {
@@ -131,7 +135,8 @@ class DuePairs {
   bool gravity_;
   BallMask moved_ = 0;  ///< since the last look
   BallMask put_ = 0;    ///< since stage 1
-  BallMask rows_ = 0;   ///< those of the next that mean something
+  BallMask struck_ = 0;
+  BallMask rows_ = 0;  ///< those of the next that mean something
   std::array<BallMask, Forecast::max_balls> overlaps_;
 };
 

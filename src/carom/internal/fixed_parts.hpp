@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include "carom/internal/time_scale.hpp"
@@ -15,14 +17,23 @@ struct Box {
 /// A large part of the play area in which no ball's centre is in a hole.
 Box hole_free_box(const Scene& scene);
 
+/// The first holes rounded, for choosing; empty places are far away.
+struct RoundedHoles {
+  explicit RoundedHoles(const Scene& scene);
+
+  static constexpr std::size_t most = 32;
+  std::array<float, most + 8> x, y, radius;
+};
+
 /// What does not change in a world; its copies share it.
 struct FixedParts {
   explicit FixedParts(Scene of)
-      : scene(std::move(of)), scale(scene), hole_free(hole_free_box(scene)) {}
+      : scene(std::move(of)), scale(scene), hole_free(hole_free_box(scene)), holes(scene) {}
 
   Scene scene;  ///< without balls
   TimeScale scale;
   Box hole_free;
+  RoundedHoles holes;
 };
 
 }  // namespace carom

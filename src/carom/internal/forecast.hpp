@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "carom/balls.hpp"
 #include "carom/internal/fixed_parts.hpp"
@@ -39,7 +41,7 @@ void for_each_ball(BallMask balls, Visit visit) {
 class Forecast {
  public:
   static constexpr std::size_t max_balls = 64;
-  static constexpr std::size_t max_fixtures = 32;  ///< holes, and obstacles, each
+  static constexpr std::size_t max_fixtures = RoundedHoles::most;  ///< holes, and obstacles, each
 
   /// Whether worlds like this are forecast at all.
   static bool suits(const Scene& scene, std::size_t balls) {
@@ -51,26 +53,42 @@ class Forecast {
   /// The state has been changed by other means than steps.
   void forget() { begun_ = false, pause_left_ = 0; }
 
-  /// Begins after a whole step, unless that does not pay or the margins do not hold. `events`:
-  /// whether the step had any.
+  /// Whether one can begin in any state; else only after a whole step.
+  static bool begins_anywhere(const FixedParts& fixed) { return fixed.scale.straight; }
+  /// Begins, unless that does not pay or the margins do not hold. `events`: whether the whole step
+  /// had any.
   void begin(const FixedParts& fixed, const Balls& balls, bool lead_out, bool events);
 
-  /// Takes as many of the next steps, at most `most`, as are surely stage 1 alone, and returns
-  /// their number; 0 also when the forecast has just ended.
-  std::uint64_t pass_quiet_steps(const FixedParts& fixed, Balls& balls, std::uint64_t most);
+  /// How many of the next steps, at most `most`, are surely stage 1 alone, and whether the one
+  /// after these is known to be another one. None also when the forecast has just ended.
+  struct Ahead {
+    int quiet = 0;
+    bool due = false;
+    bool whole = false;  ///< the due one has one part, and its stage 1 is as in a quiet step
+  };
+  Ahead look_ahead(const FixedParts& fixed, const Balls& balls, std::uint64_t most);
+  /// Stage 1 of so many steps, the whole due one after the quiet ones included.
+  void advance(const FixedParts& fixed, Balls& balls, int steps) const;
+  /// So many quiet steps have been taken.
+  void pass(int steps);
 
-  /// Takes the next step if it is known already that it is one of these.
+  /// Takes the next step if it is known already that it is quiet.
   bool pass_quiet_step(const FixedParts& fixed, Balls& balls);
 
-  /// A step that is not quiet: the number of its parts; then, for each part, after stage 1, the
+  /// A step that is not quiet: the number of its parts; then, for each part, stage 1, then the
   /// balls that are due in it; then, after its other stages, `settle`.
   int parts(const FixedParts& fixed, const Balls& balls);
-  /// Stage 1 of a part, if it is as in a quiet step; otherwise does nothing and returns false.
-  bool move(const FixedParts& fixed, Balls& balls, double part, double friction) const;
-  BallMask due(const FixedParts& fixed, int part, int parts);
-  /// Predicts the active balls anew. `unsettled`: those of them that stages 2 to 6 have put
-  /// elsewhere; all, if a ball went out of play.
-  void settle(const FixedParts& fixed, Balls& balls, BallMask unsettled);
+  void move(const FixedParts& fixed, Balls& balls, double part, double friction) const;
+  struct Due {
+    BallMask balls = 0;  ///< those that are due
+    BallMask pairs = 0;  ///< those of them that may meet another ball,
+    BallMask holes = 0;  ///< and a hole
+  };
+  Due due(const FixedParts& fixed, const Balls& balls, int part, int parts);
+  /// Predicts the active balls anew. `struck`: those of them that may have another speed than
+  /// stage 1 gave them. `unsettled`: those that stages 2 to 6 have put elsewhere; all, if a ball
+  /// went out of play.
+  void settle(const FixedParts& fixed, const Balls& balls, BallMask struck, BallMask unsettled);
   /// The end of that step, after `part` of its parts.
   void end_step(const FixedParts& fixed, Balls& balls, int part, int parts);
 
@@ -88,38 +106,51 @@ class Forecast {
   }
   /// Whether, for all that is known, the world may be at rest now.
   bool may_rest() const { return step_ >= busy_until_; }
+  /// Whether it is known that it is not.
+  bool surely_busy() const { return begun_ && !may_rest(); }
   /// Whether it is surely not; finds out until when.
   bool is_busy(const FixedParts& fixed, const Balls& balls);
 
   // For the search of what is near, in floats: an answer may hold more than it should.
 
-  /// All positions again.
+  /// All positions and velocities again.
   void pack(const Balls& balls);
-  /// The position of one.
+  /// Those of one.
   void pack(const Balls& balls, std::size_t i) {
     x_[i] = static_cast<float>(balls.x[i]);
     y_[i] = static_cast<float>(balls.y[i]);
+    vx_[i] = static_cast<float>(balls.vx[i]);
+    vy_[i] = static_cast<float>(balls.vy[i]);
   }
   /// The others in play that may touch ball i.
   BallMask near(std::size_t i) const;
 
  private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+  static constexpr double always = -1;  ///< the clock starts at 0
+  /// Bounds are computed with some roundings; this is far more than these, as a share.
+  static constexpr double hair = 1e-9;
   static constexpr std::size_t lanes = 8;  ///< that a kernel may read behind the last ball
   static constexpr std::size_t padded = max_balls + lanes;
   using Floats = std::array<float, padded>;
 
   void classify(const FixedParts& fixed, const Balls& balls, std::size_t i);
-  void note(const FixedParts& fixed, const Balls& balls, std::size_t i);
+  static bool inside(const FixedParts& fixed, const Balls& balls, std::size_t i);
+  bool stands_clear(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
+  void note_place(const FixedParts& fixed, const Balls& balls, std::size_t i);
+  void note_speed(const FixedParts& fixed, const Balls& balls, std::size_t i);
   void widen(double extent);
   void give_up();
   void predict(const FixedParts& fixed, const Balls& balls, std::size_t i);
-  double straight(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
+  void straight(const FixedParts& fixed, const Balls& balls, std::size_t i);
   double bounded(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
-  void earn(int steps);
+  void set_due(std::size_t i, double pairs, double holes, double edges) {
+    pairs_due_[i] = pairs;
+    holes_due_[i] = holes;
+    due_[i] = std::min({pairs, holes, edges});
+  }
   void blank(std::size_t i);
   void wake(BallMask moving);
-  int quiet_steps(const FixedParts& fixed, const Balls& balls, int most);
-  void advance(const FixedParts& fixed, Balls& balls, int steps);
   void begin_clock(const FixedParts& fixed, const Balls& balls);
   void choose_parts(const FixedParts& fixed, const Balls& balls);
   int one_part_until(const FixedParts& fixed, const Balls& balls, std::size_t i) const;
@@ -148,10 +179,10 @@ class Forecast {
   double balance_ = 0;  ///< what has been saved, as the cost of one ball in one whole step
   int pause_ = 64;      ///< steps, if it does not pay
   int pause_left_ = 0;
-  std::array<double, padded> due_{};  ///< on the clock
+  // On the clock: until when the ball meets nothing; no ball; no hole.
+  std::array<double, padded> due_{}, pairs_due_{}, holes_due_{};
   // Rounded, for choosing. Places behind the last ball are far away.
   Floats x_{}, y_{}, vx_{}, vy_{}, radius_{};
-  Floats hole_x_{}, hole_y_{}, hole_radius_{};
 };
 
 }  // namespace carom

@@ -87,75 +87,112 @@ void to_floats(const double* from, float* to, std::size_t count) {
   for (; i < count; ++i) to[i] = static_cast<float>(from[i]);
 }
 
-// `V`s of balls from i on, two at a time, so that one need not wait for the other.
-template <class V, std::size_t vectors>
-inline __attribute__((always_inline)) void advance_some(const Kernels::Motion& m, std::size_t i) {
-  constexpr std::size_t each = sizeof(V) / sizeof(double);
-  V x[vectors], y[vectors], vx[vectors], vy[vectors], fall[vectors];
+double least(const double* times, std::size_t count) {
+  Doubles first;
+  read(first, times);
+  for (std::size_t i = lanes; i < count; i += lanes) {
+    Doubles next;
+    read(next, times + i);
+    first = next < first ? next : first;
+  }
+  double one = first[0];
+  for (std::size_t lane = 1; lane < lanes; ++lane) one = first[lane] < one ? first[lane] : one;
+  return one;
+}
+
+std::uint64_t not_after(const double* times, std::size_t count, double now) {
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < count; ++i) found |= std::uint64_t{times[i] <= now} << i;
+  return found;
+}
+
+// A vector that holds two quantities, along x and along y, of lanes / 2 balls.
+constexpr std::size_t balls_each = lanes / 2;
+
+inline __attribute__((always_inline)) Doubles gather(const double* x, const double* y,
+                                                     const std::uint8_t* balls) {
+#if CAROM_LANES == 4
+  return Doubles{x[balls[0]], y[balls[0]], x[balls[1]], y[balls[1]]};
+#else
+  return Doubles{x[balls[0]], y[balls[0]]};
+#endif
+}
+
+inline __attribute__((always_inline)) void scatter(const Doubles& both, double* x, double* y,
+                                                   const std::uint8_t* balls) {
+  for (std::size_t b = 0; b < balls_each; ++b) {
+    x[balls[b]] = both[2 * b];
+    y[balls[b]] = both[2 * b + 1];
+  }
+}
+
+// Some vectors at a time, so that one need not wait for the other.
+constexpr std::size_t most_vectors = 4;
+
+template <std::size_t vectors, bool falls>
+inline __attribute__((always_inline)) void advance_some(const Kernels::Motion& m,
+                                                        const std::uint8_t* balls) {
+  Doubles place[vectors], velocity[vectors], fall[vectors];
   for (std::size_t k = 0; k < vectors; ++k) {
-    read(x[k], m.x + i + k * each);
-    read(y[k], m.y + i + k * each);
-    read(vx[k], m.vx + i + k * each);
-    read(vy[k], m.vy + i + k * each);
-    if (m.ay != nullptr) {
-      read(fall[k], m.ay + i + k * each);
-      fall[k] = fall[k] * m.part;
-    }
+    place[k] = gather(m.x, m.y, balls + k * balls_each);
+    velocity[k] = gather(m.vx, m.vy, balls + k * balls_each);
+    fall[k] = Doubles{};
+    if (falls) fall[k] = gather(m.ax, m.ay, balls + k * balls_each) * m.part;
   }
   const double h = m.part;
   const double f = m.friction;
-  if (m.ay != nullptr) {
+  if (falls) {
     for (int step = 0; step < m.steps; ++step)
       for (int part = 1; part <= m.parts; ++part) {
         const double friction = part == m.parts ? f : 1.0;
         for (std::size_t k = 0; k < vectors; ++k) {
-          x[k] += vx[k] * h;
-          y[k] += vy[k] * h;
-          vx[k] = vx[k] * friction;
-          vy[k] = vy[k] * friction + fall[k];
+          place[k] += velocity[k] * h;
+          velocity[k] = velocity[k] * friction + fall[k];
         }
       }
   } else if (m.parts == 1) {
     for (int step = 0; step < m.steps; ++step)
       for (std::size_t k = 0; k < vectors; ++k) {
-        x[k] += vx[k] * h;
-        y[k] += vy[k] * h;
-        vx[k] = vx[k] * f;
-        vy[k] = vy[k] * f;
+        place[k] += velocity[k] * h;
+        velocity[k] = velocity[k] * f;
       }
   } else {
     for (int step = 0; step < m.steps; ++step)
       for (std::size_t k = 0; k < vectors; ++k) {
-        const V along = vx[k] * h;
-        const V up = vy[k] * h;
-        for (int part = 0; part < m.parts; ++part) {
-          x[k] += along;
-          y[k] += up;
-        }
-        vx[k] = vx[k] * f;
-        vy[k] = vy[k] * f;
+        const Doubles way = velocity[k] * h;
+        for (int part = 0; part < m.parts; ++part) place[k] += way;
+        velocity[k] = velocity[k] * f;
       }
   }
   for (std::size_t k = 0; k < vectors; ++k) {
-    write(x[k], m.x + i + k * each);
-    write(y[k], m.y + i + k * each);
-    write(vx[k], m.vx + i + k * each);
-    write(vy[k], m.vy + i + k * each);
+    scatter(place[k], m.x, m.y, balls + k * balls_each);
+    scatter(velocity[k], m.vx, m.vy, balls + k * balls_each);
   }
 }
 
+template <bool falls>
+inline __attribute__((always_inline)) void advance_all(const Kernels::Motion& m) {
+  std::uint8_t balls[64 + balls_each];
+  std::size_t count = 0;
+  for (std::uint64_t rest = m.balls; rest != 0; rest &= rest - 1)
+    balls[count++] = static_cast<std::uint8_t>(__builtin_ctzll(rest));
+  if (count == 0) return;
+  // One is taken twice, to the same effect, where there is a place too many in the last vector.
+  for (std::size_t k = 1; k < balls_each; ++k) balls[count + k - 1] = balls[count - 1];
+  std::size_t left = (count + balls_each - 1) / balls_each;
+  const std::uint8_t* next = balls;
+  for (; left >= most_vectors; left -= most_vectors, next += most_vectors * balls_each)
+    advance_some<most_vectors, falls>(m, next);
+  if (left == 3) advance_some<3, falls>(m, next);
+  if (left == 2) advance_some<2, falls>(m, next);
+  if (left == 1) advance_some<1, falls>(m, next);
+}
+
 void advance(const Kernels::Motion& m) {
-  constexpr std::size_t block = 2 * lanes;
-  constexpr std::uint64_t all = (std::uint64_t{1} << block) - 1;
-  std::size_t i = 0;
-  for (; i + block <= m.count; i += block)
-    if ((m.moving >> i & all) != 0) advance_some<Doubles, 2>(m, i);
-  if (i + lanes <= m.count) {
-    if ((m.moving >> i & (all >> lanes)) != 0) advance_some<Doubles, 1>(m, i);
-    i += lanes;
-  }
-  for (; i < m.count; ++i)
-    if ((m.moving >> i & 1) != 0) advance_some<double, 1>(m, i);
+  if (m.ax != nullptr)
+    advance_all<true>(m);
+  else
+    advance_all<false>(m);
 }
 
 }  // namespace

@@ -29,15 +29,19 @@ struct Kernels {
   /// A bit for each disc whose centre is within factor·(sum of radii) + slack of the disc's.
   std::uint64_t (*within)(const Discs& discs, const Disc& one, float factor, float slack);
   void (*to_floats)(const double* from, float* to, std::size_t count);
-  /// Stage 1 of whole steps, for balls whose acceleration stays 0 along x, and ay along y.
+  /// The least of so many times; never (infinity), if there are none. Readable as floats are.
+  double (*least)(const double* times, std::size_t count);
+  /// A bit for each of the times that is not later than `now`.
+  std::uint64_t (*not_after)(const double* times, std::size_t count, double now);
+  /// Stage 1 of whole steps, for balls whose acceleration stays as it is.
   struct Motion {
     double* x;
     double* y;
     double* vx;
     double* vy;
-    const double* ay;      ///< null: 0
-    std::uint64_t moving;  ///< others may be left out: they stand
-    std::size_t count;
+    const double* ax;  ///< null: no ball is accelerated
+    const double* ay;
+    std::uint64_t balls;  ///< a bit for each that is to move
     double friction;
     double part;  ///< s, of a sub-step
     int parts;    ///< of a step

@@ -7,11 +7,9 @@
 
 namespace carom {
 
-/// The clock of a Forecast, in which it notes when balls may meet.
-///
-/// Without gravity and obstacles every ball that meets nothing has the same friction f, so after m
-/// steps it has gone its velocity times T(m) = Σ h·fⁱ, i < m: on this clock it moves straight at
-/// constant speed. Elsewhere there is no such clock, only bounds: it counts the steps.
+/// The clock of a Forecast. Without gravity and obstacles all balls share the friction f, so one
+/// that meets nothing has gone v·Σ h·f^i (i < m) after m steps: on a clock that shows this sum
+/// instead of m·h it moves straight at constant speed. In other scenes the clock counts steps.
 struct TimeScale {
   explicit TimeScale(const Scene& scene);
 
@@ -27,6 +25,15 @@ struct TimeScale {
   /// What a unit of the clock is worth after m steps.
   double unit(int m) const { return straight ? power[static_cast<std::size_t>(m)] : 1; }
   double at(int m) const { return time[static_cast<std::size_t>(m)]; }
+
+  /// The last m ≤ steps with at(m) < end, or `from`, if that is later; from ≤ steps.
+  int last_before(double end, int from) const;
+  /// The first m ≥ from with f^m ≤ share; steps + 1, if there is none up to `steps`.
+  int first_slower(double share, int from) const;
+
+ private:
+  double rate_ = 0;     ///< f^m = 1 - rate·at(m), or 0: every step of the clock is as long
+  double per_log_ = 0;  ///< m / log2(f^m)
 };
 
 }  // namespace carom
