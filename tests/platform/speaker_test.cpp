@@ -66,23 +66,6 @@ TEST_F(SpeakerTest, ASoundReachesTheDevice) {
   EXPECT_LE(loudest(), 1.0f);
 }
 
-TEST_F(SpeakerTest, AtVolumeZeroTheDeviceGetsSilenceAfterSixtyMilliseconds) {
-  constexpr app::SoundEvent tune{app::SoundKind::win, 1, 0};
-  for (const int volume : {100, 0}) {
-    {
-      platform::Speaker speaker;
-      speaker.play({&tune, 1}, volume);
-      listen();
-    }
-    constexpr std::size_t begin = 2 * app::Mixer::rate * 60 / 1000;
-    const std::vector<float> samples = heard();
-    ASSERT_GT(samples.size(), 2 * begin);
-    const bool silent = std::all_of(samples.begin() + begin, samples.end(),
-                                    [](float sample) { return sample == 0; });
-    EXPECT_EQ(silent, volume == 0) << volume;
-  }
-}
-
 TEST_F(SpeakerTest, TheDeviceIsClosedWithTheSpeaker) {
   {
     platform::Speaker speaker;
