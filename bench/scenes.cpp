@@ -13,7 +13,7 @@
 #include "carom/scene_file.hpp"
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
-#include "soak/random.hpp"
+#include "games/random.hpp"
 
 namespace bench {
 
@@ -23,7 +23,7 @@ using carom::Ball;
 using carom::Scene;
 using carom::Vec2;
 
-using soak::Random;
+using games::Random;
 
 /// A unit vector in any direction, without sin and cos, whose last bits differ between libraries.
 Vec2 direction(Random& random) {

@@ -1,5 +1,7 @@
 #include "games/launch.hpp"
 
+#include <cmath>
+
 #include "carom/arithmetic.hpp"
 
 namespace games {
@@ -14,6 +16,10 @@ namespace {
 }
 
 }  // namespace
+
+carom::Vec2 on_grid(carom::Vec2 v) {
+  return {std::round(v.x / grid) * grid, std::round(v.y / grid) * grid};
+}
 
 carom::Vec2 launch_velocity(carom::Vec2 drag) {
   const carom::ExactArithmetic exact;

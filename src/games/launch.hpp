@@ -11,6 +11,13 @@ namespace games {
 inline constexpr double launch_factor = 5;        ///< 1/s, K (§1.4.1)
 inline constexpr double max_launch_speed = 2000;  ///< px/s (§1.2.1)
 
+/// px. Drags and places that players and searches make are multiples of it, finer than a window
+/// pixel: the text of a replay stores such numbers compactly.
+inline constexpr double grid = 1.0 / 64;
+
+/// The nearest point of the grid.
+carom::Vec2 on_grid(carom::Vec2 v);
+
 /// Points of the i-th ball of a turn, i from 1 (§1.4.2, §2.3.1).
 constexpr std::int64_t points_for(std::int64_t i) { return 100 * i; }
 

@@ -34,6 +34,8 @@ carom::Result<Outcome> play_out(carom::World& world, carom::Vec2 velocity) {
   int scored = 0;
   const auto count = [&](std::uint64_t, std::span<const carom::Event> events) {
     for (const carom::Event& event : events) {
+      if (event.kind == EventKind::pair && (event.ball == 0 || event.other == 0))
+        outcome.touched = true;
       if (event.ball == 0 || !lost.has(event.kind)) continue;
       ++outcome.balls_out;
       if (!table || event.kind == EventKind::pocketed) outcome.points += points_for(++scored);

@@ -14,6 +14,7 @@ struct Outcome {
   std::int64_t points = 0;
   std::uint32_t balls_out = 0;  ///< pocketed, destroyed or gone by an open side, without the lead
   bool foul = false;            ///< the cue ball went out of play
+  bool touched = false;         ///< the lead collided with another ball
   std::uint64_t steps = 0;
 
   friend bool operator==(const Outcome&, const Outcome&) = default;

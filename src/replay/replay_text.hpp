@@ -4,13 +4,14 @@
 #include <string_view>
 
 #include "carom/result.hpp"
+#include "games/launch.hpp"
 #include "replay/replay.hpp"
 
 namespace replay {
 
 /// Drags and places that are multiples of this, in px, take two bytes or three in a text; any other
 /// number takes eight.
-inline constexpr double text_grid = 1.0 / 64;
+inline constexpr double text_grid = games::grid;
 
 /// Reads a replay from its text for links (docs/formats.md), which gives short hashes. Refuses a
 /// text that was not taken whole, or changed, or unpacks to more than max_bytes, and whatever

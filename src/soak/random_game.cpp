@@ -28,7 +28,7 @@ Vec2 on_grid(Vec2 a) {
 }
 
 // As clicks give them; now and then any other number, or far more than the full speed.
-Vec2 random_drag(Random& random) {
+Vec2 random_drag(games::Random& random) {
   const double most = random.one_in(50) ? 1e6 : widest_drag;
   const Vec2 drag{random.uniform(-most, most), random.uniform(-most, most)};
   return random.one_in(50) ? drag : on_grid(drag);
@@ -77,7 +77,7 @@ class Twin {
 };
 
 template <class Game>
-PlayedGame play(Game game, Random& random) {
+PlayedGame play(Game game, games::Random& random) {
   PlayedGame played;
   replay::Recorder<Game> recorder(std::move(game));
   const carom::World& world = recorder.game().world();
@@ -116,7 +116,8 @@ PlayedGame play(Game game, Random& random) {
 
 }  // namespace
 
-std::optional<billiards::Command> random_command(const billiards::Game& game, Random& random) {
+std::optional<billiards::Command> random_command(const billiards::Game& game,
+                                                 games::Random& random) {
   if (game.phase() == billiards::Phase::aim) return billiards::Shoot{random_drag(random)};
   if (game.phase() != billiards::Phase::place) return std::nullopt;
   const carom::Scene& table = game.world().scene();
@@ -126,13 +127,14 @@ std::optional<billiards::Command> random_command(const billiards::Game& game, Ra
   return billiards::Place{position};
 }
 
-std::optional<angry_balls::Command> random_command(const angry_balls::Game& game, Random& random) {
+std::optional<angry_balls::Command> random_command(const angry_balls::Game& game,
+                                                   games::Random& random) {
   if (game.phase() == angry_balls::Phase::aim) return angry_balls::Throw{random_drag(random)};
   if (game.phase() == angry_balls::Phase::offer && random.one_in(20)) return angry_balls::Next{};
   return std::nullopt;
 }
 
-carom::Scene random_level(Random& random) {
+carom::Scene random_level(games::Random& random) {
   carom::Scene level;
   level.name = "Random";
   level.width = random.uniform(300, 1500);
@@ -174,7 +176,7 @@ carom::Scene random_level(Random& random) {
 }
 
 PlayedGame play_random_game(std::uint64_t seed, replay::Kind kind) {
-  Random random(seed);
+  games::Random random(seed);
   if (kind == replay::Kind::billiards)
     return play(
         billiards::Game({.first_player = seed % 2 != 0 ? 1 : 0, .keep_turn = seed / 2 % 2 != 0}),

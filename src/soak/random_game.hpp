@@ -8,21 +8,21 @@
 #include "carom/scene.hpp"
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
+#include "games/random.hpp"
 #include "replay/replay.hpp"
-#include "soak/random.hpp"
 
 /// Random games, played with every invariant checked after every step.
 namespace soak {
 
 /// A level that can be played, whatever it is worth as one: any edges, obstacles, holes, balls.
-carom::Scene random_level(Random& random);
+carom::Scene random_level(games::Random& random);
 
 /// Next command of a player without a plan: any drag, any free place. None while he has to wait, or
 /// wants to, and when the game is over.
 std::optional<games::billiards::Command> random_command(const games::billiards::Game& game,
-                                                        Random& random);
+                                                        games::Random& random);
 std::optional<games::angry_balls::Command> random_command(const games::angry_balls::Game& game,
-                                                          Random& random);
+                                                          games::Random& random);
 
 struct PlayedGame {
   replay::Replay replay;

@@ -7,6 +7,7 @@
 #include "cli/options.hpp"
 #include "files/output.hpp"
 #include "licences/licences.hpp"
+#include "tool/advise.hpp"
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/level_link.hpp"
@@ -16,6 +17,7 @@
 #include "tool/shots.hpp"
 #include "tool/simulate.hpp"
 #include "tool/soak.hpp"
+#include "tool/strength.hpp"
 
 int main(int argc, char** argv) {
   files::reserve_standard_descriptors();
@@ -37,6 +39,8 @@ int main(int argc, char** argv) {
   tool::add_check(program, status);
   tool::add_replay(program, status);
   tool::add_shots(program, status);
+  tool::add_advise(program, status);
+  tool::add_strength(program, status);
   tool::add_soak(program, status);
   tool::add_level_link(program, status);
   tool::add_quadtree(program, status);

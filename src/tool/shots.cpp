@@ -22,8 +22,8 @@
 #include "cli/options.hpp"
 #include "files/output.hpp"
 #include "games/play_out.hpp"
+#include "games/random.hpp"
 #include "json/number_text.hpp"
-#include "soak/random.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
 
@@ -46,7 +46,7 @@ constexpr double slowest = 200;  // px/s
 constexpr double fastest = 2000;
 
 /// Any direction, without functions whose last bits differ between libraries.
-carom::Vec2 random_velocity(soak::Random& random) {
+carom::Vec2 random_velocity(games::Random& random) {
   for (;;) {
     const double x = random.uniform(-1, 1);
     const double y = random.uniform(-1, 1);
@@ -169,7 +169,7 @@ std::string csv_line(std::uint64_t launch, carom::Vec2 velocity, const games::Ou
 Summary play_all(const ShotsOptions& options, const carom::World& start, files::Output* csv) {
   Summary summary;
   carom::Rollouts rollouts(options.threads);
-  soak::Random random(options.seed);
+  games::Random random(options.seed);
   Block block(block_size(options.count, start.size()), start.size());
   std::vector<carom::Vec2> velocities;
   if (csv != nullptr) csv->write("launch,vx,vy,points,balls_out,foul,steps,hash\n");

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/play/aim_entry.hpp"
-#include "app/play/grid.hpp"
+#include "games/launch.hpp"
+#include "search/aim.hpp"
 
 namespace {
 
@@ -60,14 +61,14 @@ TEST(Aim, SmallStepsAddUpAndLieOnTheGrid) {
     app::Aim aim = aim_at({start / 5, 0});
     for (int i = 1; i <= 900; ++i) {
       aim.turn(0.1);
-      EXPECT_EQ(aim.drag(), app::on_grid(aim.drag()));
+      EXPECT_EQ(aim.drag(), games::on_grid(aim.drag()));
       // Half a grid step of 1/64 px, on both axes.
       EXPECT_NEAR(aim.degrees(), 0.1 * i, 0.0111 / (start / 5) * 57.3) << start;
       EXPECT_NEAR(aim.speed(), start, 0.06);
       EXPECT_FALSE(aim.too_weak());
     }
     for (int i = 0; i < 900; ++i) aim.turn(-0.1);
-    EXPECT_EQ(aim.drag(), app::on_grid({start / 5, 0})) << "there and back again";
+    EXPECT_EQ(aim.drag(), games::on_grid({start / 5, 0})) << "there and back again";
   }
 }
 
@@ -92,6 +93,18 @@ TEST(Aim, ANewDirectionKeepsTheStrength) {
   EXPECT_NEAR(aim.drag().y, 80, 0.01);
   aim.set_degrees(-90);
   EXPECT_EQ(aim.drag(), (carom::Vec2{0, -100}));
+}
+
+TEST(Aim, TypedNumbers_GiveTheDragOfTheSearchsAimBitByBit) {
+  for (int tenths = -1799; tenths <= 1800; ++tenths)
+    for (int speed = search::least_speed + (tenths + 1799) % 7; speed <= search::greatest_speed;
+         speed += 7) {
+      app::Aim aim = aim_at({37, -11});
+      aim.set_degrees(tenths / 10.0);
+      aim.set_speed(speed);
+      ASSERT_EQ(aim.drag(), search::drag({.tenths = tenths, .speed = speed}))
+          << tenths << ' ' << speed;
+    }
 }
 
 TEST(AimEntry, TakesAnAngleAndASpeed) {

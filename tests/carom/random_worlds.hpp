@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "carom/scene.hpp"
-#include "soak/random.hpp"
+#include "games/random.hpp"
 
 /// Random scenes that are hard on a broad phase: crowds, heaps on one spot, radii from 1 to 1000,
 /// balls far outside, everything at rest or very fast.
 namespace random_worlds {
 
-using Numbers = soak::Random;
+using Numbers = games::Random;
 
 /// A sound scene with up to `most` balls.
 inline carom::Scene scene(std::uint64_t seed, std::size_t most) {

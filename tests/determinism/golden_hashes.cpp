@@ -29,7 +29,8 @@
 #include "carom/world.hpp"
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
-#include "soak/random.hpp"
+#include "games/random.hpp"
+#include "search/opponent.hpp"
 
 namespace {
 
@@ -59,9 +60,9 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-class Random : soak::Random {
+class Random : games::Random {
  public:
-  using soak::Random::Random;
+  using games::Random::Random;
 
   /// A multiple of 1/1024 in [low, high): products and sums of such numbers are exact, so the
   /// scenes are the same even where the engine is compiled wrongly, and differences are the
@@ -344,6 +345,70 @@ void write_numbers(Table& table) {
             good(World::create(again), "numbers").state_hash(), {});
 }
 
+/// Decisions of the computer, a line for every hundred: the "state" is the hash of all so far, the
+/// "events" that of what was found on the way.
+class Decisions {
+ public:
+  Decisions(Table& table, std::string name) : table_(table), name_(std::move(name)) {}
+
+  search::Decision decide(const search::Game& game, const search::Level& level) {
+    search::Opponent opponent = good(search::Opponent::create(game, level, 1, count_), "decision");
+    while (!opponent.done()) opponent.advance(7, rollouts_);
+    const search::Decision decision = opponent.decision();
+    if (decision.meant.place) add(decisions_, *decision.meant.place);
+    add(decisions_, decision.drag);
+    add(aims_, search::drag(decision.meant.aim));
+    if (++count_ % 100 == 0) table_.add(name_, count_, decisions_.hash(), aims_.hash(), {});
+    return decision;
+  }
+  std::uint64_t count() const { return count_; }
+
+ private:
+  static void add(carom::Fnv1a& hash, Vec2 vector) {
+    hash.add(vector.x);
+    hash.add(vector.y);
+  }
+
+  Table& table_;
+  std::string name_;
+  carom::Rollouts rollouts_{threads};
+  std::uint64_t count_ = 0;
+  carom::Fnv1a decisions_;
+  carom::Fnv1a aims_;
+};
+
+void decide_billiards(Table& table, std::uint64_t count) {
+  namespace billiards = games::billiards;
+  const std::array<search::Level, 2> players{{{.name = "hand", .hand = {6}, .simulations = 10},
+                                              {.name = "exact", .hand = {}, .simulations = 20}}};
+  Decisions decisions(table, "decisions-billiards");
+  billiards::Game game;
+  while (decisions.count() < count) {
+    if (game.phase() == billiards::Phase::over) game = billiards::Game();
+    const search::Decision decision =
+        decisions.decide(game, players[static_cast<std::size_t>(game.player())]);
+    if (decision.meant.place) good(game.apply(billiards::Place{*decision.meant.place}), "place");
+    good(game.apply(billiards::Shoot{decision.drag}), "shot");
+    while (game.phase() == billiards::Phase::roll) game.step();
+  }
+}
+
+void decide_throws(Table& table, std::uint64_t count) {
+  namespace angry_balls = games::angry_balls;
+  Decisions decisions(table, "decisions-levels");
+  std::vector<angry_balls::Game> levels;
+  for (const char* name :
+       {"01-first-steps", "05-over-the-wall", "06-skittles", "10-the-fortress"}) {
+    const std::string path = std::string("levels/") + name + ".json";
+    levels.push_back(good(
+        angry_balls::Game::create(good(angry_balls::read_level(read_file(path)), path)), path));
+  }
+  while (decisions.count() < count)
+    decisions.decide(
+        levels[decisions.count() / 2 % levels.size()],
+        {.name = "", .hand = {decisions.count() % 2 == 0 ? 0.0 : 5.0}, .simulations = 12});
+}
+
 void compute(Table table) {
   run_file(table, "two-balls", 300, 100);
   run_file(table, "three-balls", 300, 100);
@@ -363,6 +428,8 @@ void compute(Table table) {
   run(table, "gas-1500", gas(50, 30, 300, 5), 200, 25);
   run(table, "gas-20000", gas(200, 100, 400, 6), 3, 1);
   write_numbers(table);
+  decide_billiards(table, 700);
+  decide_throws(table, 300);
   table.end();
 }
 

@@ -18,6 +18,11 @@ TEST(Launch, IsFiveTimesTheDragAndCapped) {
   EXPECT_DOUBLE_EQ(capped.y, -1600);
 }
 
+TEST(OnGrid, OfAnyVector_IsTheNearestMultipleOfASixtyFourth) {
+  EXPECT_EQ(games::on_grid({1.0 / 64, -3.5}), (Vec2{1.0 / 64, -3.5}));
+  EXPECT_EQ(games::on_grid({0.1, -0.1}), (Vec2{6.0 / 64, -6.0 / 64}));
+}
+
 TEST(Launch, RefusesADragWithoutDirection) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -13,7 +13,7 @@
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
 #include "games/launch.hpp"
-#include "soak/random.hpp"
+#include "games/random.hpp"
 
 namespace {
 
@@ -38,8 +38,11 @@ Outcome turn_of(Game game, carom::Vec2 drag) {
   Outcome outcome;
   while (game.phase() == moving) {
     game.step();
-    for (const carom::Event& event : game.physics_events())
+    for (const carom::Event& event : game.physics_events()) {
       if (is_loss(event) && event.ball != 0) ++outcome.balls_out;
+      if (event.kind == carom::EventKind::pair && (event.ball == 0 || event.other == 0))
+        outcome.touched = true;
+    }
     for (const auto& event : game.events()) outcome.points += event.points;
   }
   if constexpr (table) outcome.foul = game.phase() == Phase::place || !game.world().in_play(0);
@@ -52,12 +55,12 @@ Outcome played_out(const carom::Scene& scene, Vec2 drag) {
   return games::play_out(world, games::launch_velocity(drag)).value();
 }
 
-Vec2 random_drag(soak::Random& random) {
+Vec2 random_drag(games::Random& random) {
   return {random.uniform(-400, 400), random.uniform(-400, 400)};
 }
 
 TEST(PlayOut, EndsAndCountsAsAGameOfBilliardsDoes) {
-  soak::Random random(1);
+  games::Random random(1);
   int fouls = 0;
   std::int64_t points = 0;
   const auto compare = [&](const carom::Scene& table, Vec2 drag) {
@@ -85,7 +88,7 @@ TEST(PlayOut, EndsAndCountsAsAGameOfBilliardsDoes) {
 }
 
 TEST(PlayOut, EndsAndCountsAsAThrowInEachOfTheLevels) {
-  soak::Random random(2);
+  games::Random random(2);
   std::int64_t points = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/levels")) {
     if (entry.path().extension() != ".json") continue;

@@ -1,18 +1,18 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "games/random.hpp"
 #include "replay/games.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
-#include "soak/random.hpp"
 
 namespace {
 
 using namespace recorded;
 
 // Changes, removes, adds, doubles or swaps a few bytes.
-std::string mutated(std::string text, soak::Random& random) {
+std::string mutated(std::string text, games::Random& random) {
   for (auto times = 1 + random.below(3); times > 0 && !text.empty(); --times) {
     const std::size_t at = random.below(text.size());
     const std::size_t length = 1 + random.below(8);
@@ -43,7 +43,7 @@ std::string mutated(std::string text, soak::Random& random) {
 
 int accepted_of_1000(const replay::Replay& original, const std::string& written,
                      std::uint64_t seed) {
-  soak::Random random(seed);
+  games::Random random(seed);
   int verified = 0;
   for (int n = 0; n < 1000; ++n) {
     const std::string changed = mutated(written, random);

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "games/random.hpp"
 #include "replay/games.hpp"
-#include "soak/random.hpp"
 #include "soak/random_game.hpp"
 
 namespace recorded {
 
 /// A replay that is sound as data, though hardly one of a game: any finite numbers, any hashes.
 inline replay::Replay random_replay(std::uint64_t seed) {
-  soak::Random random(seed);
+  games::Random random(seed);
   const auto number = [&] {
     if (random.one_in(2)) return std::floor(random.uniform(-60'000, 60'000)) / 64;
     double any = 0;

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "games/random.hpp"
 #include "replay/games.hpp"
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
-#include "soak/random.hpp"
 #include "soak/random_game.hpp"
 
 namespace {
@@ -126,7 +126,7 @@ TEST(Recorder, TellsWhenTheNextStepWouldGoBeyondTheLimits) {
 TEST(Recorder, WritesDownTheOptionsOfBilliards) {
   for (const billiards::Options options :
        {billiards::Options{}, {.first_player = 1}, {.keep_turn = true}, {1, true}}) {
-    soak::Random random(4);
+    games::Random random(4);
     replay::Recorder<billiards::Game> recorder{billiards::Game(options)};
     while (recorder.game().phase() != billiards::Phase::over) {
       if (const auto command = soak::random_command(recorder.game(), random)) {

@@ -4,24 +4,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/play/grid.hpp"
 #include "carom/world.hpp"
 #include "games/launch.hpp"
+#include "search/aim.hpp"
 
 namespace app {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;  ///< a degree
 
-carom::Vec2 direction(double degrees) {
-  return {std::cos(degrees * radians), std::sin(degrees * radians)};
-}
-
 }  // namespace
 
 void Aim::turn(double degrees) {
   if (!exact_) return;
-  const carom::Vec2 way = direction(degrees);
+  const carom::Vec2 way = search::direction(degrees);
   exact_ =
       carom::Vec2{exact_->x * way.x - exact_->y * way.y, exact_->x * way.y + exact_->y * way.x};
 }
@@ -30,7 +26,7 @@ void Aim::point(carom::Vec2 way) {
   if (exact_) exact_ = carom::length(*exact_) * carom::unit(way);
 }
 
-void Aim::set_degrees(double degrees) { point(direction(degrees)); }
+void Aim::set_degrees(double degrees) { point(search::direction(degrees)); }
 
 void Aim::set_speed(double speed) {
   if (!exact_) return;
@@ -44,7 +40,7 @@ void Aim::strengthen(double by) {
   set_speed(std::min(games::launch_factor * carom::length(*exact_), games::max_launch_speed) + by);
 }
 
-carom::Vec2 Aim::drag() const { return exact_ ? on_grid(*exact_) : carom::Vec2{}; }
+carom::Vec2 Aim::drag() const { return exact_ ? games::on_grid(*exact_) : carom::Vec2{}; }
 
 carom::Vec2 Aim::velocity() const { return games::launch_velocity(drag()); }
 

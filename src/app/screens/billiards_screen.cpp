@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/graphics/palette.hpp"
-#include "app/play/grid.hpp"
+#include "games/launch.hpp"
 
 namespace app {
 
@@ -131,7 +131,7 @@ BilliardsScreen::Handled BilliardsScreen::waiting_event(PlaceBall& place, const 
   blur();
   // A place that is not free stays shown as such.
   if (outcome == PlaceBall::Outcome::put &&
-      played_.apply(billiards::Place{on_grid(viewport().to_world(pointer_))})) {
+      played_.apply(billiards::Place{games::on_grid(viewport().to_world(pointer_))})) {
     follow_phase();
     keep();
   }

@@ -5,8 +5,8 @@
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
-#include "app/play/grid.hpp"
 #include "app/view/balls.hpp"
+#include "games/launch.hpp"
 
 namespace app {
 namespace {
@@ -34,7 +34,7 @@ Text reason(Obstruction obstruction) {
 }  // namespace
 
 Obstruction PlaceBall::obstruction(const Stage& stage) {
-  return stage.game.obstruction(on_grid(stage.viewport.to_world(stage.pointer)));
+  return stage.game.obstruction(games::on_grid(stage.viewport.to_world(stage.pointer)));
 }
 
 PlaceBall::Outcome PlaceBall::event(const Input& input, const Stage& stage) {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace soak {
+namespace games {
 
 /// Repeatable random numbers: the generator SplitMix64 (Steele, Lea and Flood, 2014). The standard
 /// library's distributions may differ from one compiler to the next.
@@ -29,4 +29,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace soak
+}  // namespace games

@@ -1,0 +1,52 @@
+#include "search/match.hpp"
+
+#include "carom/fnv1a.hpp"
+#include "games/billiards.hpp"
+
+namespace search {
+
+GameResult play_game(const std::array<Level, 2>& sides, int breaker, Seed seed,
+                     carom::Rollouts& rollouts) {
+  using namespace games::billiards;
+  // Player 0 breaks.
+  const auto side_of = [breaker](int player) { return static_cast<std::size_t>(player ^ breaker); };
+  games::Random seeds = random_of(seed, Use::match);
+  const std::array<Seed, 2> seed_of{seeds.next(), seeds.next()};  // by player
+
+  games::billiards::Game game;
+  GameResult result;
+  carom::Fnv1a hash;
+  for (int turn = 0; turn < most_turns && game.phase() != Phase::over; ++turn) {
+    const auto player = static_cast<std::size_t>(game.player());
+    const std::size_t side = side_of(game.player());
+    // The game waits for this player, and the table has room.
+    Opponent opponent =
+        Opponent::create(game, sides[side], seed_of[player], static_cast<std::uint64_t>(turn))
+            .value();
+    while (!opponent.done()) opponent.advance(1U << 20U, rollouts);
+    const Decision decision = opponent.decision();
+    if (decision.meant.place) {
+      if (!game.apply(Place{*decision.meant.place})) break;
+      hash.add(decision.meant.place->x);
+      hash.add(decision.meant.place->y);
+    }
+    if (!game.apply(Shoot{decision.drag})) break;
+    while (game.phase() == Phase::roll) game.step();
+    hash.add(decision.drag.x);
+    hash.add(decision.drag.y);
+    for (const int each : {0, 1}) hash.add(static_cast<std::uint64_t>(game.score(each)));
+    ++result.turns[side];
+    result.simulations[side] += opponent.simulated();
+  }
+  for (const int player : {0, 1}) {
+    const std::size_t side = side_of(player);
+    result.points[side] = game.score(player);
+    result.fouls[side] = game.tally(player).fouls;
+  }
+  if (result.points[0] != result.points[1])
+    result.winner = result.points[0] > result.points[1] ? 0 : 1;
+  result.hash = hash.hash();
+  return result;
+}
+
+}  // namespace search
