@@ -36,7 +36,7 @@ inline constexpr std::array<Level, 10> levels{{
     {"pro", {0}, 7},
     {"master", {0}, 11},
     {"champion", {0}, 15},
-    {"machine", {0}, 25},
+    {"machine", {0}, 22},
 }};
 
 /// What the computer does in a turn.
