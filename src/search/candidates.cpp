@@ -202,7 +202,7 @@ Shot Candidates::next_in_level() {
   const auto velocity = [&](const Flight& flight) {
     return (to + Vec2{0, flight.fall}) / flight.way;
   };
-  const auto quickest = std::ranges::find_if(flights_, [&](const Flight& flight) {
+  const auto quickest = std::find_if(flights_.begin(), flights_.end(), [&](const Flight& flight) {
     return carom::length(velocity(flight)) <= games::max_launch_speed;
   });
   if (quickest == flights_.end()) return {.aim = any_aim()};

@@ -59,7 +59,7 @@ class Candidates {
   bool is_free(carom::Vec2 place) const;
   std::size_t nearest_target(carom::Vec2 from) const;
   double any_speed();
-  std::uint64_t below(std::size_t count) { return random_.below(count); }
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(random_.below(count)); }
 
   const Game& game_;
   const carom::World& world_;

@@ -51,7 +51,7 @@ std::vector<Planned> plan(std::uint64_t games) {
   for (std::uint64_t game = 0; game < games; game += 2)
     for (std::size_t apart = 1; apart <= 2; ++apart)
       for (std::size_t b = 0; b + apart < search::levels.size(); ++b)
-        for (const std::uint64_t mirrored : {0, 1})
+        for (const std::uint64_t mirrored : {0U, 1U})
           if (apart == 1 || game % 20 == 0) all.push_back({b + apart, b, game + mirrored});
   return all;
 }
