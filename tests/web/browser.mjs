@@ -63,7 +63,7 @@ export function files(place = folder) {
 
 // A page with the game in it. Places are in CSS pixels from the top left of the canvas, which fills
 // the page.
-class Game {
+export class Game {
   constructor(page, address) {
     this.page = page;
     this.address = address;
