@@ -1,5 +1,6 @@
 #include "replay/packed_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -17,6 +18,37 @@ constexpr std::size_t header_bytes = 5;  // the version and a CRC-32
 constexpr std::string_view digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t max_text = max_bytes / 3 * 4 + 4;
+
+// What mail programs, messengers and pages put within a text: blanks, also those that have no width
+// or do not break, and byte order marks.
+constexpr std::array<std::string_view, 12> blanks{" ",      "\t",     "\v",     "\f",
+                                                  "\u00a0", "\u00ad", "\u200b", "\u2028",
+                                                  "\u2029", "\u202f", "\u2060", "\ufeff"};
+// What stands around one in a sentence.
+constexpr std::array<std::string_view, 24> around{
+    "<", ">", "(", ")", "[", "]", "{",      "}",      "\"",     "'",      "`",      ".",
+    ",", ";", ":", "!", "?", "*", "\u201c", "\u201d", "\u2018", "\u2019", "\u00ab", "\u00bb"};
+
+// Without blanks, line ends and what stands around a text at its ends.
+std::string_view trimmed(std::string_view text) {
+  for (bool again = true; again;) {
+    again = false;
+    const auto cut = [&](std::string_view sign) {
+      if (text.starts_with(sign)) {
+        text.remove_prefix(sign.size());
+        again = true;
+      } else if (text.ends_with(sign)) {
+        text.remove_suffix(sign.size());
+        again = true;
+      }
+    };
+    for (const std::string_view sign : blanks) cut(sign);
+    for (const std::string_view sign : around) cut(sign);
+    cut("\r");
+    cut("\n");
+  }
+  return text;
+}
 
 // base64url (RFC 4648, section 5) without padding.
 std::string to_base64url(std::string_view bytes) {
@@ -103,20 +135,26 @@ carom::Error damaged_text(std::string problem, std::string_view what) {
 }
 
 std::string pasted_text(std::string_view pasted) {
-  if (pasted.starts_with("\xEF\xBB\xBF")) pasted.remove_prefix(3);
   for (const std::string_view key : {"#replay=", "#level="})
     if (const std::size_t at = pasted.find(key); at != std::string_view::npos)
       pasted.remove_prefix(at + key.size());
+  pasted = trimmed(pasted);
   std::string text;
   bool line_begins = true;
   for (std::size_t i = 0; i < pasted.size(); ++i) {
     const char c = pasted[i];
+    const auto starts = [rest = pasted.substr(i)](std::string_view blank) {
+      return rest.starts_with(blank);
+    };
+    if (const auto* const blank = std::ranges::find_if(blanks, starts); blank != blanks.end()) {
+      i += blank->size() - 1;
+      continue;
+    }
     const bool line_ends =
         i + 1 < pasted.size() && (pasted[i + 1] == '\r' || pasted[i + 1] == '\n');
     if (c == '\r' || c == '\n') {
       line_begins = true;
-    } else if (c == ' ' || c == '\t' || (c == '>' && (line_begins || i + 1 == pasted.size())) ||
-               (c == '=' && line_ends)) {
+    } else if ((c == '>' && (line_begins || i + 1 == pasted.size())) || (c == '=' && line_ends)) {
       // No part of it.
     } else {
       text += c;
@@ -135,9 +173,10 @@ std::string pack(char version, std::string payload) {
 }
 
 carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what) {
-  const std::string text = pasted_text(pasted);
+  // What is much longer even folded is not looked at.
+  const std::string text = pasted.size() > 2 * max_text ? std::string() : pasted_text(pasted);
   using Code = carom::MessageCode;
-  if (text.size() > max_text)
+  if (pasted.size() > 2 * max_text || text.size() > max_text)
     return carom::Error{.problem = {Code::is_longer_than, {std::to_string(max_text)}},
                         .expected = {Code::text_of, {std::string(what)}}};
   const std::size_t foreign = text.find_first_not_of(digits);

@@ -18,9 +18,9 @@ std::string pack(char version, std::string payload);
 carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what);
 
 /// Returns the text alone of a player's paste: of a whole link the part behind '#' and the name;
-/// with no byte order mark, white space, line ends of folded mail ("=" of quoted-printable
-/// included) or quotation marks ("> ") of a reply. Whatever else does not belong there stays, to be
-/// refused.
+/// with no byte order mark, blanks (also those of no width), line ends of folded mail ("=" of
+/// quoted-printable included), quotation marks ("> ") of a reply, or brackets, quotes and marks of
+/// a sentence around it. Whatever else does not belong there stays, to be refused.
 std::string pasted_text(std::string_view pasted);
 
 /// "is damaged: …"

@@ -111,6 +111,43 @@ TEST(Player, LooksAheadInPieces) {
   EXPECT_EQ(player.steps(), 0U) << "what is shown stays";
 }
 
+TEST(Player, SeeksInPartsAndShowsNothingOfTheWay) {
+  constexpr std::uint64_t part = 50;
+  for (const replay::Replay& played : both()) {
+    const auto verified = replay::verify(played).value();
+    auto player = replay::Player::create(played).value();
+    const std::uint64_t start = hash(player);
+    const std::size_t end = player.turns().size();
+    std::uint64_t parts = 0;
+    std::size_t reached = 0;
+    while (player.seek(end, part) == replay::Sought::on_way) {
+      ++parts;
+      ASSERT_EQ(hash(player), start) << "what is shown stays until it is there";
+      ASSERT_EQ(player.steps(), 0U);
+      ASSERT_GE(player.reached_turns(), reached) << "the progress goes one way";
+      reached = player.reached_turns();
+    }
+    EXPECT_GE(parts, verified.turns().back().first_step / part / 2) << "each part is small";
+    EXPECT_EQ(hash(player), played.moves.back().hash);
+  }
+}
+
+TEST(Player, SeeksAnotherTurnInstead) {
+  const replay::Replay played = short_billiards().replay();
+  auto player = replay::Player::create(played).value();
+  const std::size_t end = player.turns().size();
+  ASSERT_EQ(player.seek(end, 10), replay::Sought::on_way);
+  while (player.reached_turns() < 2) ASSERT_EQ(player.seek(end, 10), replay::Sought::on_way);
+  auto sought = replay::Sought::on_way;
+  while (sought == replay::Sought::on_way) sought = player.seek(1, 10);
+  EXPECT_EQ(sought, replay::Sought::shown);
+  EXPECT_EQ(player.turn(), 1U);
+  EXPECT_EQ(player.steps(), player.turns()[1].first_step);
+  EXPECT_LT(player.reached_turns(), end) << "nobody waits for the end any more";
+  EXPECT_EQ(player.seek(end + 1, 10), replay::Sought::nowhere);
+  EXPECT_EQ(player.turn(), 1U);
+}
+
 TEST(Player, PlaysAGameWithoutMoves) {
   auto player = replay::verify({}).value();
   EXPECT_TRUE(player.turns().empty());

@@ -73,11 +73,15 @@ TEST(ReplayText, IsTakenAsItWasPasted) {
         "https://example.org/play/?a=b#replay=" + fold,
         "<https://example.org/#replay=" + text + ">",
         "> " + text.substr(0, 5) + "\n> " + text.substr(5) + "\n",
-        text.substr(0, 9) + "=\r\n" + text.substr(9)}) {
+        text.substr(0, 9) + "=\r\n" + text.substr(9), '"' + text + '"', "\u201c" + text + "\u201d",
+        "(https://example.org/#replay=" + text + ").", text + ",\n", "`" + text + "`",
+        text.substr(0, 9) + "\u00a0" + text.substr(9, 3) + "\u200b" + text.substr(12),
+        text.substr(0, 9) + "\u00ad\r\n" + text.substr(9), "\ufeff\u2060" + text + "\u2028"}) {
     EXPECT_EQ(problem(pasted), "no problem") << pasted;
     EXPECT_TRUE(replay::read_replay(pasted)) << pasted;
   }
-  EXPECT_NE(problem(text.substr(0, 7) + "." + text.substr(7)), "no problem");
+  for (const char* within : {".", "\"", "<", "\u201c", "é", "\u200d", "\xff"})
+    EXPECT_NE(problem(text.substr(0, 7) + within + text.substr(7)), "no problem") << within;
 }
 
 TEST(ReplayText, MinusZeroIsZero) {
