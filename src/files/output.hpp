@@ -36,6 +36,8 @@ class Output {
 
   /// After an error the rest does nothing; commit() tells.
   void write(std::string_view bytes);
+  /// Nothing more will be written: a long work of which this is all there is may end.
+  bool failed() const { return !error_.empty(); }
   carom::Status commit();
 
  private:

@@ -177,6 +177,7 @@ int run(int argc, char** argv) {
   program
       .add_option("LEVELS", options.levels,
                   "Levels of your own: files, and folders of *.json files")
+      ->check(cli::file_name())
       ->type_name("");
   program.footer(examples);
   program.set_version_flag("--version", ANGRY_BALLS_VERSION);
@@ -186,6 +187,7 @@ int run(int argc, char** argv) {
       program
           .add_option("--script", options.script,
                       "Play the inputs in FILE (\"-\": standard input), without a display")
+          ->check(cli::file_name())
           ->type_name("FILE");
   program
       .add_option("--screenshot", options.screenshot,
@@ -194,11 +196,13 @@ int run(int argc, char** argv) {
       ->type_name("FILE")
       ->needs(script);
   program.add_option("--replay", options.replay, "Show the replay in FILE (\"-\": standard input)")
+      ->check(cli::file_name())
       ->type_name("FILE");
   program
       .add_option(
           "--data", options.data,
           "Keep settings, scores, games and replays in FOLDER (a script: nowhere unless given)")
+      ->check(cli::file_name())
       ->type_name("FOLDER");
   program
       .add_option_function<std::string>(

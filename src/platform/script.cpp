@@ -202,10 +202,12 @@ carom::Result<ScriptLine> parse_line(std::string_view text) {
       ++actions;
       result.action = PadInput{*moved};
     } else if (name == "screenshot") {
-      if (!value.is_string() || value.get_ref<const std::string&>().empty())
+      // The system would take a name up to its first NUL.
+      const auto* const file = value.get_ptr<const std::string*>();
+      if (!file || file->empty() || file->find('\0') != std::string::npos)
         return wrong("/screenshot", value, "the name of a PNG file to write");
       ++actions;
-      result.action = Screenshot{value.get<std::string>()};
+      result.action = Screenshot{*file};
     } else if (name == "print") {
       if (value != true) return wrong("/print", value, "true");
       ++actions;

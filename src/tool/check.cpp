@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "carom/scene_file.hpp"
+#include "cli/options.hpp"
 #include "files/files.hpp"
 #include "games/angry_balls.hpp"
 #include "games/level_check.hpp"
@@ -50,6 +51,7 @@ void add_check(CLI::App& carom, int& status) {
   CLI::App* command = carom.add_subcommand("check", "Say what is wrong with a level.");
   command->add_option("level", *levels, "Level files (JSON); - is standard input")
       ->required()
+      ->check(cli::file_name())
       ->option_text("LEVEL...");
   command->footer(
       "Says \"ok\", or every error with line, column, pointer and what was expected. Warns of "

@@ -6,9 +6,11 @@
 #include <string>
 
 #include "carom/scene_file.hpp"
+#include "cli/options.hpp"
 #include "files/files.hpp"
 #include "games/angry_balls.hpp"
 #include "replay/level_text.hpp"
+#include "replay/replay.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
 
@@ -25,8 +27,13 @@ int convert(const std::string& file, bool back) {
   const auto level =
       back ? replay::read_level_text(text) : games::angry_balls::read_level(bytes.value());
   if (!level) return report(level.errors(), file);
+  const std::string written = carom::write_scene(level.value());
+  if (written.size() > replay::max_bytes)
+    return report({{.problem = {carom::MessageCode::is_larger_than_bytes,
+                                {std::to_string(replay::max_bytes)}}}},
+                  file);
   if (back)
-    std::fputs(carom::write_scene(level.value()).c_str(), stdout);
+    std::fputs(written.c_str(), stdout);
   else
     std::printf("%s\n", replay::write_level_text(level.value()).c_str());
   return done;
@@ -45,6 +52,7 @@ void add_level_link(CLI::App& carom, int& status) {
       carom.add_subcommand("level-link", "Print a level as the text that a link carries.");
   command->add_option("level", options->file, "Level file; - is standard input")
       ->required()
+      ->check(cli::file_name())
       ->option_text("LEVEL");
   command->add_flag("--json", options->json,
                     "The other way: LEVEL is such a text; print the level");

@@ -257,6 +257,7 @@ void add_quadtree(CLI::App& carom, int& status) {
       carom.add_subcommand("quadtree", "Tell, and draw, how the quadtree divides a scene.");
   command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")
       ->required()
+      ->check(cli::file_name())
       ->option_text("SCENE");
   command
       ->add_option("--svg", options->svg,

@@ -160,7 +160,7 @@ int write_trace(const replay::Player& player, files::Output& trace, const std::s
   for_each_trace_line(player, [&](std::uint64_t, std::string_view line) {
     trace.write(line);
     trace.write("\n");
-    return true;
+    return !trace.failed();
   });
   const carom::Status written = trace.commit();
   return written ? done : report_output(written.errors(), path);
@@ -195,13 +195,24 @@ int compare_with_trace(const replay::Player& player, std::string_view trace) {
 }
 
 int convert(const replay::Replay& replay, const ReplayOptions& options) {
+  // With its defaults and blanks a level may be longer than it was. A text holds less than JSON.
+  const auto fits = [&](const std::string& json) {
+    return json.size() <= replay::max_bytes
+               ? done
+               : report({{.problem = {carom::MessageCode::is_larger_than_bytes,
+                                      {std::to_string(replay::max_bytes)}}}},
+                        options.file);
+  };
   if (options.text) {
+    if (const int status = fits(replay::write_json(replay)); status != done) return status;
     std::printf("%s\n", replay::write_text(replay).c_str());
     return done;
   }
   const auto full = replay::with_full_hashes(replay);
   if (!full) return report(full.errors(), options.file);
-  std::fputs(replay::write_json(full.value()).c_str(), stdout);
+  const std::string json = replay::write_json(full.value());
+  if (const int status = fits(json); status != done) return status;
+  std::fputs(json.c_str(), stdout);
   return done;
 }
 
@@ -259,6 +270,7 @@ void add_replay(CLI::App& carom, int& status) {
       ->add_option("replay", options->file,
                    "Replay file, JSON or the text for links; - is standard input")
       ->required()
+      ->check(cli::file_name())
       ->option_text("REPLAY");
   CLI::Option* verify =
       command->add_flag("--verify", options->verify,

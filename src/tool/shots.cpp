@@ -173,7 +173,8 @@ Summary play_all(const ShotsOptions& options, const carom::World& start, files::
   Block block(block_size(options.count, start.size()), start.size());
   std::vector<carom::Vec2> velocities;
   if (csv != nullptr) csv->write("launch,vx,vy,points,balls_out,foul,steps,hash\n");
-  for (std::uint64_t done = 0; done < options.count; done += velocities.size()) {
+  for (std::uint64_t done = 0; done < options.count && !(csv != nullptr && csv->failed());
+       done += velocities.size()) {
     velocities.clear();
     while (velocities.size() < std::min<std::uint64_t>(block.size(), options.count - done))
       velocities.push_back(random_velocity(random));
@@ -281,6 +282,7 @@ void add_shots(CLI::App& carom, int& status) {
       carom.add_subcommand("shots", "Play random launches and tell what they came to.");
   command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")
       ->required()
+      ->check(cli::file_name())
       ->option_text("SCENE");
   cli::add_whole(*command, "--count", options->count, "How many launches", 1, most_launches)
       ->option_text("N [1000]");

@@ -81,11 +81,10 @@ void summarise(const carom::World& world, std::FILE* out) {
   std::fprintf(out, "hash        %s\n", carom::hash_text(world.state_hash()).c_str());
 }
 
-// At rest means slow, which a ball at the top of its flight is, too. Says so when gravity goes on
-// to move what is slow.
+// At rest means slow, which a ball at the top of its flight is, too, and one that rolls towards a
+// hole. Says so when what is slow goes on to move.
 void tell_unsettled(const carom::World& world) {
   constexpr std::uint64_t most_work = 3'000'000;  // ball-steps: a second at most
-  if (world.scene().gravity == 0) return;
   const games::Settling settling = games::look_ahead(world, most_work);
   if (settling.falling)
     std::fprintf(stderr,
@@ -143,7 +142,8 @@ int simulate(const SimulateOptions& options) {
     Progress progress(!options.quiet);
     // Many steps at a time, yet few enough that the progress is seen; a trace needs each.
     constexpr std::uint64_t at_a_time = 1000;
-    while (world.steps() < goal && !(until_rest && world.at_rest())) {
+    while (world.steps() < goal && !(until_rest && world.at_rest()) &&
+           !(trace && trace->failed())) {
       if (trace)
         trace_step(world.step());
       else
@@ -177,6 +177,7 @@ void add_simulate(CLI::App& carom, int& status) {
   CLI::App* command = carom.add_subcommand("simulate", "Run a scene and tell how it ended.");
   command->add_option("scene", options->scene, "Scene or level file (JSON); - is standard input")
       ->required()
+      ->check(cli::file_name())
       ->option_text("SCENE");
   CLI::Option* steps =
       cli::add_whole(*command, "--steps", options->steps, "Run exactly N steps of 0.01 s")

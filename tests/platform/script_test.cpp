@@ -135,6 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"{\"at\":1,\"print\":false}", "file:1: /print: is false; expected true"},
         Bad{"{\"at\":1,\"move\":[1,2],\"button\":\"left\"}",
             "file:1: /button: is \"left\"; expected \"left\" or \"right\", beside \"click\""},
+        Bad{"{\"at\":1,\"screenshot\":\"a\\u0000.png\"}",
+            "file:1: /screenshot: is \"a\\u0000.png\"; expected the name of a PNG file to write"},
         Bad{"{\"at\":1,\"screenshot\":\"\"}",
             "file:1: /screenshot: is \"\"; expected the name of a PNG file to write"},
         Bad{"{\"at\":2,\"key\":\"R\"}\n{\"at\":1,\"key\":\"R\"}",
