@@ -11,6 +11,7 @@
 #include "app/storage/links.hpp"
 #include "app/widgets/level_fault.hpp"
 #include "app/widgets/tip.hpp"
+#include "carom/scene_file.hpp"
 #include "replay/level_text.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
@@ -203,8 +204,10 @@ void App::open_link(std::string_view link) {
                                                                         : Text::link_damaged));
   } else if (const auto level = behind(links::level, link)) {
     const auto read = replay::read_level_text(*level);
-    if (read) return play(level_of(read.value()));
-    refuse(Text::link_refused, words_(Text::link_damaged));
+    if (!read) return refuse(Text::link_refused, words_(Text::link_damaged));
+    Level sound = read_level({}, carom::write_scene(read.value()));
+    if (!sound.scene) return refuse(Text::link_refused, problem_of(words_, sound));
+    play(std::move(sound));
   }
 }
 

@@ -55,18 +55,20 @@ void append_code(std::string& out, char kind, std::uint32_t code) {
 
 }  // namespace
 
+bool is_shown(std::uint32_t code_point) {
+  return std::none_of(std::begin(not_shown), std::end(not_shown), [=](const CodeRange& range) {
+    return code_point >= range.first && code_point <= range.last;
+  });
+}
+
 std::string display_text(std::string_view text, std::size_t most) {
   std::string out;
   for (std::size_t count = 0; !text.empty(); ++count) {
     if (count == most) return out + "…";
     const auto [code, size] = first_character(text);
-    const bool hidden = std::any_of(std::begin(not_shown), std::end(not_shown),
-                                    [code = code](const CodeRange& range) {
-                                      return code >= range.first && code <= range.last;
-                                    });
     if (size == 0)
       append_code(out, 'x', code);
-    else if (hidden)
+    else if (!is_shown(code))
       append_code(out, 'u', code);
     else
       out.append(text.substr(0, size));

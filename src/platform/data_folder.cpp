@@ -80,7 +80,7 @@ carom::Result<std::optional<std::string>> FolderStore::load(const std::string& n
     return carom::Error{.pointer = name, .problem = "is no file"};
   if (const auto size = fs::file_size(path_of(name), ignored); !ignored && size > max_text)
     return carom::Error{.pointer = name, .problem = "is larger than 16 MiB"};
-  auto text = files::read(path_of(name));
+  auto text = files::read(path_of(name), max_text);
   if (!text) return text.errors();
   return std::optional(std::move(text).value());
 }

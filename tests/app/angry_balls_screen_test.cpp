@@ -256,14 +256,24 @@ TEST_F(AngryBallsScreenTest, EscapeLeavesWithNoQuestionButFirstTheFocus) {
   EXPECT_TRUE(asks_for<app::ShowLevels>(press("Menu")));
 }
 
-TEST_F(AngryBallsScreenTest, RestartStartsTheLevelAgain) {
+TEST_F(AngryBallsScreenTest, RestartStartsTheLevelAgainAfterAQuestion) {
+  key(app::Key::r);
+  EXPECT_FALSE(shows("Restart?")) << "nothing would be lost";
   throw_by(150, 0);
   pass(1s);
   key(app::Key::r);
+  EXPECT_TRUE(shows("Restart?"));
+  EXPECT_EQ(screen->game().throws_left(), 2);
+  press("Keep playing");
+  EXPECT_EQ(screen->game().throws_left(), 2);
+  key(app::Key::r);
+  key(app::Key::enter);
   EXPECT_EQ(screen->game().throws_left(), 3);
   EXPECT_EQ(screen->game().world().steps(), 0u);
   throw_by(20, 10);
+  pass(50ms);
   press("Restart");
+  press("New game");
   EXPECT_EQ(screen->game().throws_left(), 3);
 }
 

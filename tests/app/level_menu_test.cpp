@@ -57,7 +57,14 @@ app::Box button(Player& game, std::string_view name) {
 }
 
 TEST(LevelMenu, TenLevelsStandInTwoFullRows) {
-  for (const auto& [width, height] : {std::pair{800, 600}, {1280, 720}}) {
+  for (const auto& [width, height] : {std::pair{800, 600},
+                                      {1024, 768},
+                                      {1280, 720},
+                                      {1366, 768},
+                                      {1600, 900},
+                                      {1920, 1080},
+                                      {2560, 1440},
+                                      {3840, 2160}}) {
     Player game(app::Language::en, width, height);
     game.press("Angry Balls");
     std::map<float, int> rows;

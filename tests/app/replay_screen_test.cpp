@@ -2,6 +2,7 @@
 
 #include "app/graphics/palette.hpp"
 #include "app/player.hpp"
+#include "app/screens/timeline.hpp"
 #include "project_file.hpp"
 #include "replay/replay_file.hpp"
 #include "replay/replay_text.hpp"
@@ -171,6 +172,22 @@ TEST_F(Diverging, TellsTheTurnAndShowsNothingBeyond) {
   EXPECT_TRUE(says("playing"));
 }
 
+/// The timeline of a window of 1280 × 720.
+app::Rect timeline() {
+  const app::View view = app::View::of(1280, 720);
+  app::Rect bottom = view.area();
+  bottom = bottom.cut_bottom(view.button(40) + view.px(84));
+  return app::centered(bottom.center(), std::min(bottom.w, view.px(1120)), bottom.h)
+      .inset(view.px(8), view.px(6))
+      .cut_top(view.px(24));
+}
+/// A place on it, from 0 to 1.
+app::Point at(float part) {
+  const app::Rect all = timeline();
+  return {all.x + part * all.w, all.center().y};
+}
+const app::Point late = at(0.98f);
+
 struct LongGame : ReplayScreenTest {
   LongGame() : ReplayScreenTest(sound("billiards-whole.json")) {}
 };
@@ -190,6 +207,60 @@ TEST_F(LongGame, ShowsItsTurnsAndPointsOnAPhoneToo) {
     });
     EXPECT_GT(lit, 40) << width;
   }
+}
+
+TEST_F(LongGame, IsSoughtInPartsWithItsProgressInSight) {
+  const auto drawn = [&] {
+    app::Atlas atlas;
+    app::Font font{atlas};
+    app::DrawList list;
+    const app::View view = app::View::of(1280, 720);
+    app::Canvas canvas{list, font, view};
+    screen.draw(canvas);
+    return list.vertices;
+  };
+  key(Key::space);
+  screen.event(app::PointerPressed{late, app::PointerButton::left});
+  EXPECT_FALSE(says("Turn 1 ")) << screen.describe();
+  EXPECT_EQ(screen.player().steps(), 0U) << "it takes longer than a picture";
+  const std::size_t wanted = app::turn_at(timeline(), screen.player(), late);
+  int pictures = 0;
+  int changes = 0;
+  for (auto before = drawn(); screen.player().turn() != wanted && pictures < 1'000; ++pictures) {
+    screen.iterate(0ns);
+    auto after = drawn();
+    const bool changed =
+        !std::ranges::equal(before, after, {}, &app::Vertex::color, &app::Vertex::color);
+    changes += changed ? 1 : 0;
+    before = std::move(after);
+  }
+  EXPECT_GT(pictures, 2);
+  EXPECT_GT(changes, 2) << "the timeline shows how far it is";
+  EXPECT_EQ(hash(), hash_before(wanted));
+}
+
+TEST_F(LongGame, IsSoughtElsewhereInstead) {
+  key(Key::space);
+  screen.event(app::PointerPressed{late, app::PointerButton::left});
+  while (screen.player().reached_turns() < 10) screen.iterate(0ns);
+  ASSERT_EQ(screen.player().turn(), 0U) << "still on the way";
+  screen.event(app::PointerPressed{at(0.02f), app::PointerButton::left});
+  screen.iterate(0ns);
+  EXPECT_LT(screen.player().turn(), 4U);
+  EXPECT_GT(screen.player().turn(), 0U);
+  EXPECT_TRUE(says("Verifying")) << "the end is not waited for";
+}
+
+TEST(Replays, ALongSearchIsLeftAtOnce) {
+  app::MemoryStore store;
+  Player game(app::Language::en, 1280, 720, {}, store);
+  game.app().open_file("x.json", replay_file("billiards-whole.json"));
+  game.key(Key::space);
+  game.click(late);
+  EXPECT_TRUE(game.says("Verifying")) << game.title();
+  EXPECT_FALSE(game.says("Turn 1 ")) << game.title();
+  game.key(Key::escape);
+  EXPECT_TRUE(game.says("title screen")) << game.title();
 }
 
 TEST(Replays, AreWatchedAfterAGameAndFromTheList) {

@@ -81,12 +81,14 @@ void draw_lesson(Canvas& canvas, const AimPrompt& call, const Words& words) {
   // Nor over the rack and the pockets, as far as there is room.
   std::vector<Rect> things = call.in_sight;
   things.push_back(centered(call.at, 2 * reach, 2 * reach));
-  for (const float tried : {width, std::min(width, canvas.px(least_width))}) {
-    Rect box = panel;
-    box.w = std::min(box.w, tried);
-    box = clear_place(box, world.inset(canvas.px(4)), things);
-    if (covered(box, things) < covered(panel, things)) panel = box;
-  }
+  for (const float part : {1.0f, 0.85f, 0.7f})
+    for (const float tried : {width, std::min(width, canvas.px(least_width))}) {
+      Rect box = panel;
+      box.w = std::min(box.w, tried);
+      box.h = height * part;
+      box = clear_place(box, world.inset(canvas.px(4)), things);
+      if (covered(box, things) < covered(panel, things)) panel = box;
+    }
   fill_rounded(canvas.list, panel.moved({0, canvas.px(4)}), canvas.px(12), palette::shadow,
                canvas.px(12));
   fill_rounded(canvas.list, panel, canvas.px(12), faded(palette::slate_bottom, 0.94f));

@@ -30,7 +30,6 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
   void note(const Event& event) override { turn_points_ += event.points; }
   void after_step() override;
   void begin_launch() override { trace_.clear(); }
-  std::optional<Dialog> question_before(UserBar::Command) const override { return std::nullopt; }
   Navigation leave_to() const override { return ShowLevels{}; }
   Navigation next_game() override;
 

@@ -82,15 +82,6 @@ void BilliardsScreen::announce_turn(const std::string& detail) {
                     game().player());
 }
 
-std::optional<Dialog> BilliardsScreen::question_before(UserBar::Command command) const {
-  // Leaving keeps the game.
-  if (command != UserBar::Command::restart || game().world().steps() == 0 || played_.practice())
-    return std::nullopt;
-  return Dialog(words_(Text::ask_restart), {{words_(Text::game_is_lost), {}, {}}},
-                {{yes, words_(Text::new_game), words_(Text::tip_give_up)},
-                 {no, words_(Text::keep_playing), words_(Text::tip_close_help)}});
-}
-
 Over BilliardsScreen::ending() {
   const std::optional<int> winner = game().winner();
   std::vector<Dialog::Line> lines{

@@ -27,7 +27,6 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
   void announce_start() override { announce_turn({}); }
   void note(const Event& event) override;
   void begin_launch() override { shooter_ = game().player(); }
-  std::optional<Dialog> question_before(UserBar::Command command) const override;
   Navigation leave_to() const override { return ShowTitle{}; }
 
   UserBar& bar() override { return bar_; }

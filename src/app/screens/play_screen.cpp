@@ -164,6 +164,16 @@ Navigation PlayScreen<Game, Waiting>::answered(ButtonId button) {
 }
 
 template <class Game, class Waiting>
+std::optional<Dialog> PlayScreen<Game, Waiting>::question_before(UserBar::Command command) const {
+  // Leaving keeps the game; practice keeps none.
+  if (command != UserBar::Command::restart || game().world().steps() == 0 || played_.practice())
+    return std::nullopt;
+  return Dialog(words_(Text::ask_restart), {{words_(Text::game_is_lost), {}, {}}},
+                {{yes, words_(Text::new_game), words_(Text::tip_give_up)},
+                 {no, words_(Text::keep_playing), words_(Text::tip_close_help)}});
+}
+
+template <class Game, class Waiting>
 Navigation PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
   switch (command) {
     case UserBar::Command::settings:

@@ -87,8 +87,6 @@ class PlayScreen : public Screen {
   virtual void after_step() {}
   /// A launch begins, or the game is elsewhere: the last launch is not shown any more.
   virtual void begin_launch() {}
-  /// The question before a command, if there is one; its buttons are a Reply each.
-  virtual std::optional<Dialog> question_before(UserBar::Command command) const = 0;
   /// Where the game is left to.
   virtual Navigation leave_to() const = 0;
   virtual Navigation next_game() { return leave_to(); }
@@ -158,6 +156,8 @@ class PlayScreen : public Screen {
   Handled command(const Input& input);
 
   Navigation request(UserBar::Command command);
+  /// The question before a command, if there is one; its buttons are a Reply each.
+  std::optional<Dialog> question_before(UserBar::Command command) const;
   Navigation obey(UserBar::Command command);
   Navigation finish(ButtonId button);
   void practise(const PracticeCommand& command);

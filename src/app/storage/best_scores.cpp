@@ -1,25 +1,27 @@
 #include "app/storage/best_scores.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "json/limits.hpp"
 #include "replay/replay.hpp"
 
 namespace app {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 const std::string file = "scores.json";
 constexpr const char* version_key = "angry-balls-scores";
 constexpr int version = 1;
+/// More levels than anybody wins; their file is a tenth of what a store reads.
+constexpr std::size_t most_scores = 30'000;
 
 bool is_identity(const std::string& text) {
   return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 /// The integer, if it is one from 0 to the greatest score.
-std::optional<std::int64_t> whole_number(const json& value) {
+std::optional<std::int64_t> whole_number(const Json& value) {
   if (!value.is_number_unsigned()) return std::nullopt;
   const auto number = value.get<std::uint64_t>();
   if (number > std::uint64_t{replay::max_score}) return std::nullopt;
@@ -53,7 +55,8 @@ bool BestScores::record(const std::string& identity, std::int64_t score) {
 }
 
 void BestScores::save() {
-  if (!store_.save(file, text_of(best_)))
+  // What could not be read back is not written.
+  if (best_.size() > most_scores || !store_.save(file, text_of(best_)))
     trouble_ = Trouble::not_kept;
   else if (trouble_ == Trouble::not_kept)
     trouble_ = Trouble::none;
@@ -80,7 +83,7 @@ bool BestScores::merge_stored() {
 
 /// A wrong entry costs no other. Of another version nothing is taken.
 BestScores::Parsed BestScores::parse(const std::string& text) {
-  const json whole = json::parse(text, nullptr, false);
+  const Json whole = json::parse(text, {.depth = 2, .values = 3 * most_scores});
   if (!whole.is_object() || !whole.contains(version_key) ||
       whole_number(whole[version_key]) != version || !whole.contains("best") ||
       !whole["best"].is_object())
@@ -97,7 +100,7 @@ BestScores::Parsed BestScores::parse(const std::string& text) {
 }
 
 std::string BestScores::text_of(const Scores& scores) {
-  return json{{version_key, version}, {"best", scores}}.dump(2) + '\n';
+  return Json{{version_key, version}, {"best", scores}}.dump(2) + '\n';
 }
 
 }  // namespace app

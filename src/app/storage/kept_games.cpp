@@ -53,12 +53,12 @@ std::vector<std::string> KeptGames::names() const {
 carom::Result<KeptGames::Kept> KeptGames::load(const std::string& name) const {
   auto stored = store_.load(name);
   if (!stored) return stored.errors();
-  if (!stored.value()) return carom::Error{.pointer = name, .problem = "is not there any more"};
+  if (!stored.value()) return carom::Error{.pointer = name, .problem = carom::MessageCode::is_gone};
   auto read = replay::read_json(*stored.value());
   if (!read) return read.errors();
   // The name of one game with the other in it.
   if ((read.value().kind() == Kind::billiards) != is_table(name))
-    return carom::Error{.pointer = name, .problem = "is a game of the other kind"};
+    return carom::Error{.pointer = name, .problem = carom::MessageCode::is_of_other_game};
   return Kept{{name, std::move(*stored.value())}, std::move(read).value()};
 }
 

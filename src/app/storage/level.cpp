@@ -11,6 +11,8 @@ namespace {
 
 /// More would not be played at full speed anywhere.
 constexpr std::size_t most_balls = 20'000;
+/// As written, bytes: a replay of the level, of whatever moves, then is within replay::max_bytes.
+constexpr std::size_t most_bytes = 5 << 19;
 
 carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes) {
   if (!bytes) return bytes.errors();
@@ -20,6 +22,9 @@ carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes)
         .pointer = "/balls",
         .problem = {carom::MessageCode::has_elements, {std::to_string(level.value().balls.size())}},
         .expected = {carom::MessageCode::at_most, {std::to_string(most_balls)}}};
+  if (level && carom::write_scene(level.value()).size() > most_bytes)
+    return carom::Error{
+        .problem = {carom::MessageCode::is_larger_than_bytes, {std::to_string(most_bytes)}}};
   return level;
 }
 

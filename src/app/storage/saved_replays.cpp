@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
 #include <string_view>
 
 #include "replay/player.hpp"
@@ -56,6 +57,9 @@ carom::Result<std::string> SavedReplays::save(const replay::Replay& replay) {
                                         : carom::Result<replay::Replay>(replay);
   if (!full) return full.errors();
   const std::string text = replay::write_json(full.value());
+  if (text.size() > replay::max_bytes)  // it could not be read back
+    return carom::Error{
+        .problem = {carom::MessageCode::is_larger_than_bytes, {std::to_string(replay::max_bytes)}}};
   unsigned number = 0;
   for (const std::string& name : names()) number = std::max(number, number_of(name));
   // Another window may be quicker and take the name.

@@ -1,15 +1,16 @@
 #include "app/storage/settings.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/base/utf8.hpp"
+#include "carom/display_text.hpp"
+#include "json/limits.hpp"
 
 namespace app {
 namespace {
 
-using json = nlohmann::json;  // finds a key among many at once
+using Json = nlohmann::json;  // finds a key among many at once
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* version_key = "angry-balls-settings";
@@ -47,19 +48,19 @@ struct Writer {
 };
 
 struct Reader {
-  const json& in;
+  const Json& in;
   std::size_t known = 1;  ///< keys found, the version's included
   bool sound = true;
 
   /// The value, if the key is given.
-  const json* find(const char* key) {
+  const Json* find(const char* key) {
     const auto found = in.find(key);
     if (found == in.end()) return nullptr;
     ++known;
     return &*found;
   }
   template <class Choice, std::size_t n>
-  void choose(const json& given, Choice& value, const std::array<std::string_view, n>& of) {
+  void choose(const Json& given, Choice& value, const std::array<std::string_view, n>& of) {
     const auto* const name =
         given.is_string() ? std::ranges::find(of, given.get_ref<const std::string&>()) : of.end();
     if (name == of.end())
@@ -68,7 +69,7 @@ struct Reader {
       value = static_cast<Choice>(name - of.begin());
   }
   void operator()(const char* key, bool& value) {
-    const json* const given = find(key);
+    const Json* const given = find(key);
     if (!given) return;
     if (given->is_boolean())
       value = given->get<bool>();
@@ -76,7 +77,7 @@ struct Reader {
       sound = false;
   }
   void operator()(const char* key, int& value) {
-    const json* const given = find(key);
+    const Json* const given = find(key);
     if (!given) return;
     if (given->is_number_unsigned() && given->get<std::uint64_t>() <= std::uint64_t{most_volume})
       value = given->get<int>();
@@ -84,21 +85,21 @@ struct Reader {
       sound = false;
   }
   void operator()(const char* key, std::array<std::string, 2>& value) {
-    const json* const given = find(key);
+    const Json* const given = find(key);
     if (!given) return;
     sound &= given->is_array() && given->size() == value.size();
     for (std::size_t i = 0; sound && i < value.size(); ++i) {
       sound = (*given)[i].is_string();
-      if (sound) value[i] = (*given)[i].get<std::string>();
-      sound = sound && value[i] == name_of(value[i]);
+      // Older versions took more: that costs the player no other setting.
+      if (sound) value[i] = name_of((*given)[i].get_ref<const std::string&>());
     }
   }
   void operator()(const char* key, std::optional<Language>& value) {
-    const json* const given = find(key);
+    const Json* const given = find(key);
     if (given && *given != system_language) choose(*given, value.emplace(), language_codes);
   }
   void operator()(const char* key, KeyBindings& value) {
-    const json* const given = find(key);
+    const Json* const given = find(key);
     if (!given) return;
     sound &= given->is_object();
     std::vector<std::pair<std::string, std::string>> pairs;
@@ -113,7 +114,7 @@ struct Reader {
   }
   template <class Choice, std::size_t n>
   void operator()(const char* key, Choice& value, const std::array<std::string_view, n>& of) {
-    if (const json* const given = find(key)) choose(*given, value, of);
+    if (const Json* const given = find(key)) choose(*given, value, of);
   }
 };
 
@@ -149,7 +150,7 @@ std::string text_of(const Settings& settings) { return json_of(settings).dump(2)
 /// with the program.
 std::optional<Settings> parse(const std::string& text) {
   if (text.size() > max_settings) return std::nullopt;
-  const json in = json::parse(text, nullptr, false);
+  const Json in = json::parse(text);
   if (!in.is_object() || !in.contains(version_key) || in[version_key] != version ||
       !in[version_key].is_number_unsigned())
     return std::nullopt;
@@ -158,11 +159,6 @@ std::optional<Settings> parse(const std::string& text) {
   visit_all(settings, reader);
   if (!reader.sound || reader.known != in.size()) return std::nullopt;
   return settings;
-}
-
-/// Is true if it can be shown within a line.
-bool printable(char32_t code) {
-  return code >= 0x20 && (code < 0x7f || code >= 0xa0) && code != 0x2028 && code != 0x2029;
 }
 
 /// Of `mine` what was changed since `before`, and of `theirs` all else.
@@ -195,7 +191,7 @@ std::string name_of(std::string_view typed, bool unfinished) {
     const CodePoint first = first_code_point(typed);
     const std::string_view point = typed.substr(0, std::max<std::size_t>(first.size, 1));
     typed.remove_prefix(point.size());
-    if (first.size == 0 || !printable(first.code) || (name.empty() && point == " ")) continue;
+    if (first.size == 0 || !carom::is_shown(first.code) || (name.empty() && point == " ")) continue;
     name += point;
     ++count;
   }

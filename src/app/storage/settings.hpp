@@ -49,8 +49,9 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// The part of a text, typed, pasted or from a file, that can be shown: whole UTF-8 without
-/// control characters, without blanks at its ends, at most longest_name code points. `unfinished`:
+/// The part of a text, typed, pasted or from a file, that can be shown: whole UTF-8 without what
+/// carom::display_text() writes out, without blanks at its ends, at most longest_name code points.
+/// `unfinished`:
 /// a blank at the end may be followed by more, and stays.
 std::string name_of(std::string_view typed, bool unfinished = false);
 

@@ -48,6 +48,7 @@ constexpr std::array rows{
     Row{overlaps_obstacle, Text::fault_overlaps},
     Row{is_bytes_long, Text::fault_too_long},
     Row{is_too_large_a_number, Text::fault_too_large},
+    Row{is_larger_than_bytes, Text::fault_too_large},
     Row{has_overlapping_pairs, Text::fault_pairs},
     Row{has_balls_in_holes, Text::fault_on_holes},
     Row{cannot_be_opened, Text::fault_unopened},
