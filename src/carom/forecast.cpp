@@ -242,9 +242,9 @@ bool Forecast::pass_quiet_step(const FixedParts& fixed, Balls& balls) {
 void Forecast::pass(int steps) {
   step_ += steps;
   balance_ += steps * static_cast<double>(size_);
-  if (const double enough = 64 * static_cast<double>(size_); balance_ > enough) {
+  if (const double enough = 16 * static_cast<double>(size_); balance_ > enough) {
     balance_ = enough;
-    pause_ = 64;
+    pause_ = shortest_pause;
   }
 }
 
@@ -308,7 +308,7 @@ void Forecast::settle(const FixedParts& fixed, const Balls& balls, BallMask stru
   for_each_ball(active, [&](std::size_t i) { predict(fixed, balls, i); });
   if (fixed.scene.gravity > 0) wake(active & moving_);
   quiet_until_ = -1;
-  balance_ -= 4.0 * std::popcount(active);
+  balance_ -= 5.5 * std::popcount(active);
 }
 
 void Forecast::end_step(const FixedParts& fixed, Balls& balls, int part, int parts) {
@@ -316,11 +316,11 @@ void Forecast::end_step(const FixedParts& fixed, Balls& balls, int part, int par
   balance_ += 0.7 * static_cast<double>(size_);
   if (fails_) return give_up();
   if (part < parts) begin_clock(fixed, balls);  // the rest of the step was dropped
-  if (balance_ < -64.0 * static_cast<double>(size_) - 64) {
+  if (balance_ < -12.0 * static_cast<double>(size_) - 32) {
     begun_ = false;
-    balance_ = 0;
+    balance_ = -9.0 * static_cast<double>(size_);  // the next trial ends sooner
     pause_left_ = pause_;
-    pause_ = std::min(2 * pause_, 1024);
+    pause_ = std::min(2 * pause_, 4096);
   }
 }
 

@@ -1,41 +1,17 @@
 #include "carom/quadtree.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <limits>
-#include <new>
 #include <string>
 #include <vector>
 
+#include "allocations.hpp"
 #include "carom/world.hpp"
 #include "random_worlds.hpp"
 #include "worlds.hpp"
-
-namespace {
-
-std::atomic<std::size_t> allocations = 0;  // of this program, from its start on
-
-}  // namespace
-
-// Not inlined: g++ would see new and free, and take them for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -371,7 +347,7 @@ TEST(Quadtree, AllocatesNothingTheSecondTime) {
   found.reserve(10 * count);
   std::vector<Pair> pairs;
   pairs.reserve(count * count);
-  const std::size_t before = allocations;
+  const std::size_t before = allocations();
   for (int build_number = 0; build_number < 100; ++build_number)
     for (Discs& discs : all) {
       build(tree, discs);
@@ -383,7 +359,7 @@ TEST(Quadtree, AllocatesNothingTheSecondTime) {
         tree.moved(i);
       }
     }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations(), before);
 }
 
 // A table and a pile that come to rest: what a step needs it keeps. Only more to tell or to find
@@ -404,9 +380,9 @@ TEST(World, AllocatesNothingInASteadyState) {
                          {n.uniform(-500, 500), n.uniform(-500, 500)}));
       carom::World world = worlds::make(scene);
       for (int step = 0; step < 2000; ++step) world.step();
-      const std::size_t before = allocations;
+      const std::size_t before = allocations();
       for (int step = 0; step < 200; ++step) world.step();
-      EXPECT_EQ(allocations, before) << count << " balls, gravity " << gravity;
+      EXPECT_EQ(allocations(), before) << count << " balls, gravity " << gravity;
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "allocations.hpp"
 #include "carom/trace.hpp"
 #include "worlds.hpp"
 
@@ -39,6 +40,19 @@ TEST(World, RefusesAVelocityAndKeepsItsState) {
   EXPECT_FALSE(world.set_velocity(2, {1, 0})) << "no such ball";
   EXPECT_TRUE(world.set_velocity(0, {100'000, 0}));
   EXPECT_NE(world.state_hash(), before);
+}
+
+// As searches do: one world is set back to the same state again and again.
+TEST(World, AssignmentOfTheSameSizeAllocatesNothing) {
+  carom::Scene scene = cue_table();
+  for (int k = 0; k < 14; ++k) scene.balls.push_back(ball({20.0 + 25 * k, 300}));
+  const World start = make(scene);
+  World world = start;
+  world.run({.rest = true}, 10);
+  const std::size_t before = allocations();
+  for (int k = 0; k < 100; ++k) world = start;
+  EXPECT_EQ(allocations(), before);
+  EXPECT_EQ(world.state_hash(), start.state_hash());
 }
 
 TEST(World, RefusesAPlaceAndKeepsItsState) {

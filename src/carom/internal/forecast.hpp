@@ -177,7 +177,8 @@ class Forecast {
   float slack_ = 0;    ///< px, more than rounding to floats, and margin_
   double least_radius_ = 0;
   double balance_ = 0;  ///< what has been saved, as the cost of one ball in one whole step
-  int pause_ = 64;      ///< steps, if it does not pay
+  static constexpr int shortest_pause = 32;
+  int pause_ = shortest_pause;  ///< steps, if it does not pay
   int pause_left_ = 0;
   // On the clock: until when the ball meets nothing; no ball; no hole.
   std::array<double, padded> due_{}, pairs_due_{}, holes_due_{};
