@@ -14,7 +14,8 @@ constexpr double greatest_error = 1000;  // px
 
 // An exact hand: after a half of the budget the rest is spent near the best shots, ever nearer.
 constexpr std::size_t exact_rounds = 4;
-constexpr std::size_t refined = 8;  // shots, at first
+// All three are halved before each of these rounds.
+constexpr std::size_t refined = 8;  // shots
 constexpr int first_turn = 20;      // tenths of a degree
 constexpr int first_change = 100;   // px/s
 
