@@ -182,7 +182,7 @@ class Visitor {
     game.press(say(app::Text::change_keys));
     take(game, "keys");
     game.key(Key::escape);
-    game.press("Licences");
+    game.press(say(app::Text::licences));
     take(game, "licences");
     game.key(Key::escape);
     game.key(Key::escape);
