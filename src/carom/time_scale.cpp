@@ -35,8 +35,16 @@ TimeScale::TimeScale(const Scene& scene) : straight(scene.gravity == 0 && scene.
     way += time_step * f;
     f *= scene.friction;
   }
+  // Where f^m hardly falls, its rough logarithm tells nothing; there the clock is nearly even.
+  const double least = power[static_cast<std::size_t>(steps)];
+  if (least > 0.9) return;
   if (straight) rate_ = (1 - scene.friction) / time_step;
-  per_log_ = scene.friction < 1 ? steps / rough_log2(power[static_cast<std::size_t>(steps)]) : 0;
+  per_log_ = steps / rough_log2(least);
+}
+
+// A guess as a place of the tables, from `from` on.
+int TimeScale::place(double guess, int from) const {
+  return guess > from ? static_cast<int>(std::min<double>(guess, steps)) : from;
 }
 
 int TimeScale::last_before(double end, int from) const {
@@ -44,7 +52,7 @@ int TimeScale::last_before(double end, int from) const {
   // end ≤ at(steps), so the share is about f^steps at least.
   const double share = 1 - rate_ * end;
   const double guess = rate_ > 0 ? rough_log2(share) * per_log_ : end / at(1);
-  int m = guess > from ? std::min(static_cast<int>(guess), steps) : from;
+  int m = place(guess, from);
   while (m > from && at(m) >= end) --m;
   while (m < steps && at(m + 1) < end) ++m;
   return m;
@@ -54,7 +62,7 @@ int TimeScale::first_slower(double share, int from) const {
   const auto slower = [&](int m) { return power[static_cast<std::size_t>(m)] <= share; };
   if (!slower(steps)) return steps + 1;
   const double guess = share < 1 ? rough_log2(share) * per_log_ : 0;
-  int m = guess > from ? std::min(static_cast<int>(guess), steps) : from;
+  int m = place(guess, from);
   while (m > from && slower(m - 1)) --m;
   while (m < steps && !slower(m)) ++m;
   return m;

@@ -32,8 +32,10 @@ struct TimeScale {
   int first_slower(double share, int from) const;
 
  private:
-  double rate_ = 0;     ///< f^m = 1 - rate·at(m), or 0: every step of the clock is as long
-  double per_log_ = 0;  ///< m / log2(f^m)
+  int place(double guess, int from) const;
+
+  double rate_ = 0;     ///< f^m = 1 - rate·at(m), or 0: all steps of the clock are about as long
+  double per_log_ = 0;  ///< m / log2(f^m), or 0
 };
 
 }  // namespace carom
