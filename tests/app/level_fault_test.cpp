@@ -20,7 +20,8 @@ TEST(LevelFault, IsToldInThePlayersLanguage) {
   EXPECT_EQ(in_french(bytes),
             "a.json:1:23: /width: vaut -5 ; attendu : un nombre de 0.001 à 1000000000 (px)");
   EXPECT_EQ(in_french(R"({"carom": 1, "width": 9, "height": 5, "balls": [], "thing": 1})"),
-            "a.json:1:52: /thing: est une clé inconnue ; attendu : l’une de carom, name, width, "
+            "a.json:1:52: /thing: est une clé inconnue ; attendu : l’une de $schema, carom, name, "
+            "author, licence, description, width, "
             "height, edges, friction, gravity, hole_pull, damage_per_speed, damage_threshold, "
             "throws, holes, obstacles, balls");
   EXPECT_EQ(in_french("{"), "a.json:1:2: n’est pas du JSON valable");

@@ -37,6 +37,13 @@ TEST(Level, TheIdentityIsThatOfTheContents) {
   EXPECT_NE(app::read_level("a.json", moved).identity, identity);
 }
 
+TEST(Level, TheIdentityIsWithoutTheTextsForPeople) {
+  std::string signed_one = sound;
+  signed_one.insert(1, R"("author": "A", "licence": "B", "description": "C", )");
+  EXPECT_EQ(app::read_level("a.json", signed_one).identity,
+            app::read_level("a.json", sound).identity);
+}
+
 TEST(Level, ABrokenOneTellsItsFirstErrorWithItsPlace) {
   const app::Level level = app::read_level("mine.json", std::string("{\n  \"carom\": 1,\n x"));
   EXPECT_FALSE(level.scene);

@@ -31,7 +31,11 @@ carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes)
 /// "a" for "a.json".
 std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
-std::string identity_of(const carom::Scene& scene) {
+// Of what is played.
+std::string identity_of(carom::Scene scene) {
+  scene.author.clear();
+  scene.licence.clear();
+  scene.description.clear();
   carom::Fnv1a hash;
   hash.add(carom::write_scene(scene));
   return carom::hash_text(hash.hash());
