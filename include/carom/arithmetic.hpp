@@ -8,9 +8,10 @@
 #include <cfenv>
 #endif
 
+#include "carom/public.hpp"
 #include "carom/vec2.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// While one of these lives, this thread computes as IEEE-754 says by default: rounded to nearest,
 /// with subnormal numbers, without traps. Other libraries may have set something else (a part

@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "carom/public.hpp"
 #include "carom/scene.hpp"
 #include "carom/vec2.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// Balls as a structure of arrays: each array has one entry a ball, in index order, with the
 /// meaning and unit of Ball's field of that name. So a loop over one quantity of all balls reads

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace carom {
+#include "carom/public.hpp"
+
+namespace CAROM_PUBLIC carom {
 
 /// Text of unknown origin (names, file names, keys of a file) fit to show on one line of a terminal
 /// or a window, in UTF-8. What would move the cursor, end the line, turn the direction of writing

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
+#include "carom/public.hpp"
 #include "carom/vec2.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// An event of a step. Rules, sounds and effects read only these (docs/physics.md#one-step).
 enum class EventKind : std::uint8_t {
@@ -56,6 +59,22 @@ struct Event {
   Vec2 deviation{};
   double damage = 0;    ///< damage: the solidity lost, ds
   double solidity = 0;  ///< damage: the solidity left, negative when it broke the ball
+
+  /// The edge of a cushion or floor.
+  std::optional<Side> side() const {
+    if (kind != EventKind::cushion && kind != EventKind::floor) return std::nullopt;
+    return static_cast<Side>(other);
+  }
+  /// The index of the hole that a ball fell into.
+  std::optional<std::size_t> hole() const {
+    if (kind != EventKind::pocketed) return std::nullopt;
+    return other;
+  }
+  /// The index of the obstacle whose wall or cap was hit.
+  std::optional<std::size_t> obstacle() const {
+    if (kind != EventKind::wall && kind != EventKind::cap) return std::nullopt;
+    return other;
+  }
 
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace carom {
+#include "carom/public.hpp"
+
+namespace CAROM_PUBLIC carom {
 
 /// The 64-bit hash FNV-1a, fed piece by piece; numbers count as their bytes, little-endian.
 class Fnv1a {

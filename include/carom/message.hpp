@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace carom {
+#include "carom/public.hpp"
+
+namespace CAROM_PUBLIC carom {
 
 // All that the library finds wrong, or says that it expected: X(code, English template). In a
 // template {0} stands for the first argument, {1} for the second, … This is the one place where the
@@ -88,6 +90,7 @@ namespace carom {
   X(one_of, "one of {0}")                                                                 \
   X(each_key_once, "every key at most once")                                              \
   X(text_of_200_bytes, "a text of at most 200 bytes")                                     \
+  X(text_of_2000_bytes, "a text of at most 2000 bytes")                                   \
   X(format_version, "1, the version of the format")                                       \
   X(object_of_edges, "an object such as {{\"left\": \"open\"}")                           \
   X(object_such_as, "an object such as {0}")                                              \

@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "carom/public.hpp"
 #include "carom/vec2.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// Two indices, first < second; compared first by `first`, then by `second`: the order in which
 /// pairs collide (docs/physics.md#one-step).

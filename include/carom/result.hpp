@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "carom/message.hpp"
+#include "carom/public.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// One thing wrong with what the library was given. The library collects errors and never prints.
 /// What is wrong and what was expected are codes with arguments (message.hpp); to_string() makes

@@ -6,9 +6,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "carom/public.hpp"
 #include "carom/world.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 class ThreadPool;
 

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "carom/public.hpp"
 #include "carom/result.hpp"
 #include "carom/vec2.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 // Limits of what is accepted; they hold in every build. Anything beyond is refused, never clamped.
 inline constexpr std::size_t max_balls = 10'000'000;
@@ -85,6 +86,10 @@ struct Edges {
 /// A whole world as data: what a scene file or a level file says (docs/formats.md; §1.1.4, §2.1.3).
 struct Scene {
   std::string name{};
+  // Nothing of these three counts for the physics, the rules or a level's identity.
+  std::string author{};
+  std::string licence{};  ///< such as "CC-BY-4.0"
+  std::string description{};
   double width = 800;           ///< px, ≥ min_size
   double height = 400;          ///< px, ≥ min_size
   Edges edges{};                ///< all solid

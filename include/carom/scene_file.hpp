@@ -3,10 +3,11 @@
 #include <string>
 #include <string_view>
 
+#include "carom/public.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// Reads a scene or level in the JSON form of docs/formats.md. Refuses whatever is not
 /// exactly that, with every error found, each with line, column and pointer; nothing is half-read.

@@ -4,9 +4,10 @@
 #include <string>
 
 #include "carom/event.hpp"
+#include "carom/public.hpp"
 #include "carom/world.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// Appends one line of a trace (docs/formats.md#traces-json-lines), newline included: the world's
 /// state after its last step, and that step's events. Numbers in the shortest form that reads back

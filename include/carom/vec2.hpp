@@ -3,6 +3,8 @@
 #include <cfloat>
 #include <cmath>
 
+#include "carom/public.hpp"
+
 // Every file of the engine includes this one: the same scene must give the same bits everywhere.
 // arithmetic.hpp finds out at run time what compilers do not tell by a macro.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
@@ -13,7 +15,7 @@
 #error "carom needs arithmetic in plain binary64, without excess precision"
 #endif
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 /// A vector of the plane, y pointing up (§1.1.1). Unit: px, px/s or px/s², as its use says.
 struct Vec2 {

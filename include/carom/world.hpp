@@ -4,16 +4,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "carom/balls.hpp"
 #include "carom/event.hpp"
+#include "carom/public.hpp"
+#include "carom/region.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
 #include "carom/vec2.hpp"
 
-namespace carom {
+namespace CAROM_PUBLIC carom {
 
 inline constexpr double time_step = 0.01;     ///< s, dt (§1.2.1)
 inline constexpr int steps_per_second = 100;  ///< 1 / time_step
@@ -95,6 +101,25 @@ class World {
   /// Whether ball 0 is a cue ball or a projectile.
   bool has_lead() const { return size() > 0 && is_lead(balls_.role[0]); }
 
+  /// The index of the ball with an id; none if it is not in play. O(balls).
+  std::optional<std::size_t> index_of(std::uint32_t id) const;
+
+  // Questions about places. The first after a step or a change builds an index of all balls, O(n);
+  // so they are no const functions. Touching is not overlapping.
+
+  /// The balls in play that overlap a disc, by ascending index. Refuses NaN, infinities and more
+  /// than max_quantity.
+  Result<std::vector<std::uint32_t>> balls_in(Disc disc);
+  /// Those that reach into a box, its boundary included. It may be infinite. Refuses NaN and
+  /// corners that are not in order.
+  Result<std::vector<std::uint32_t>> balls_in(Box box);
+  /// The first ball in play, solid edge or obstacle that a disc with `radius` (px, 0 for a ray)
+  /// touches on its straight way from `from` (px) along `direction` (of any length); none if it
+  /// meets nothing. Balls and obstacles that it overlaps at the start are not met, so a ball's own
+  /// place is a start. Holes are never met. Refuses NaN, infinities, more than max_quantity and the
+  /// direction 0.
+  Result<std::optional<Contact>> first_contact(Vec2 from, Vec2 direction, double radius);
+
   /// Steps taken since create().
   std::uint64_t steps() const { return steps_; }
 
@@ -109,6 +134,27 @@ class World {
   /// world without one, NaN, infinities, coordinates beyond max_quantity, a place inside an
   /// obstacle or sticking out of a solid edge.
   Status place_lead(Vec2 position);
+
+  /// Adds a ball as a scene's: its id, which it returns, is a new one, its acceleration zero.
+  /// Refuses what check() would refuse of a scene with this ball alone, a lead except as the only
+  /// ball, and more than max_balls. Balls that overlap are taken, however many: heaps cost time.
+  /// O(holes + obstacles).
+  Result<std::uint32_t> add(Ball ball);
+
+  /// Takes a ball out of play: the last ball gets its index, but a lead waits to be placed. Refuses
+  /// a wrong index.
+  Status remove(std::size_t index);
+
+  /// Gives a ball in play the role, position, velocity, radius and solidity of `ball`; it keeps its
+  /// id and acceleration. Refuses a wrong index, what add() refuses, and a lead's role elsewhere
+  /// than at index 0.
+  Status set_ball(std::size_t index, Ball ball);
+
+  /// The whole state as bytes (docs/formats.md#states): load_state makes a world of it that goes on
+  /// with the same bits. Broad phase, skipping and threads are no part of it.
+  std::string save_state() const;
+  /// Refuses bytes that are no state of a world, were changed, or are of other physics.
+  static Result<World> load_state(std::string_view state);
 
   /// All speeds become zero (end of a turn, §1.4.1).
   void stop();
@@ -154,11 +200,16 @@ class World {
   Workspace& workspace();
   /// The state is no longer what the last step left.
   void changed();
+  /// Nor are the balls or their radii.
+  void balls_changed();
+  static Error no_such_ball();
+  std::vector<std::uint32_t> in_play_only(std::vector<std::uint32_t> found) const;
 
   std::shared_ptr<const FixedParts> fixed_;  ///< shared by copies
   Balls balls_;
   bool lead_out_ = false;
   std::uint64_t steps_ = 0;
+  std::uint32_t next_id_ = 0;  ///< of a ball that is added
   BroadPhase broad_phase_ = BroadPhase::automatic;
   bool skipping_ = true;
   std::size_t threads_ = 1;

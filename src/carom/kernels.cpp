@@ -35,4 +35,6 @@ const Kernels& kernels() {
 
 const char* vector_instructions() { return kernels().name; }
 
+const char* library_version() { return CAROM_VERSION; }
+
 }  // namespace carom

@@ -174,7 +174,7 @@ class Checker {
   void run() {
     if (!arithmetic_is_exact() || !step_arithmetic_is_exact())
       report_({.problem = MessageCode::is_inexact, .expected = MessageCode::exact_arithmetic});
-    check_name();
+    check_texts();
     numbers(scene_fields, scene_, [] { return std::string(); });
     fixed_is_sound_ = contains(size_range, scene_.width) && contains(size_range, scene_.height);
     if (scene_.throws < 1 || scene_.throws > max_throws)
@@ -192,7 +192,9 @@ class Checker {
       find_obstacles();
     each("/balls", scene_.balls, max_balls,
          [&](const Ball& ball, auto pointer) { check_ball(ball, pointer); });
-    if (sound_) check_heaps();
+    if (!sound_) return;
+    for (Error& error : heap_errors(scene_, max_overlaps(scene_.balls.size())))
+      report_(std::move(error));
   }
 
  private:
@@ -207,40 +209,26 @@ class Checker {
     if (!balls.empty()) first_obstacles_ = Neighbours(scene_, std::move(balls)).first_obstacles();
   }
 
-  // Only of scenes that are sound otherwise.
-  void check_heaps() {
-    const std::size_t n = scene_.balls.size();
-    const std::size_t most = max_overlaps(n);
-    if (n == 0 || (n * (n - 1) / 2 <= most && n * scene_.holes.size() <= most)) return;
-    std::vector<std::uint32_t> balls(n);
-    std::iota(balls.begin(), balls.end(), 0U);
-    Neighbours neighbours(scene_, std::move(balls));
-    const auto report = [&](MessageCode problem) {
-      report_({.pointer = "/balls",
-               .problem = {problem, {std::to_string(most)}},
-               .expected = MessageCode::at_most_pairs});
-    };
-    if (neighbours.more_pairs_than(most)) report(MessageCode::has_overlapping_pairs);
-    if (neighbours.more_in_holes_than(most)) report(MessageCode::has_balls_in_holes);
-  }
-
   static bool is_sound(const Ball& ball) {
     return std::all_of(std::begin(ball_fields), std::end(ball_fields), [&](const auto& field) {
       return !field.number || contains(field.range, field.value(ball));
     });
   }
 
-  void check_name() {
-    const auto& field = scene_fields[index_of(scene_fields, "name")];
-    const std::size_t bytes = scene_.name.size();
-    if (bytes > max_name_bytes)
-      report_({.pointer = "/name",
-               .problem = {MessageCode::is_bytes_long, {std::to_string(bytes)}},
-               .expected = expectation(field)});
-    else if (!utf8::is_valid(scene_.name.begin(), scene_.name.end()))
-      report_({.pointer = "/name",
-               .problem = MessageCode::is_not_utf8,
-               .expected = expectation(field)});
+  void check_texts() {
+    for (const auto& field : scene_fields) {
+      if (!field.text) continue;
+      const std::string& text = scene_.*field.text;
+      const std::string pointer = "/" + std::string(field.name);
+      if (text.size() > field.most_bytes)
+        report_({.pointer = pointer,
+                 .problem = {MessageCode::is_bytes_long, {std::to_string(text.size())}},
+                 .expected = expectation(field)});
+      else if (!utf8::is_valid(text.begin(), text.end()))
+        report_({.pointer = pointer,
+                 .problem = MessageCode::is_not_utf8,
+                 .expected = expectation(field)});
+    }
   }
 
   // Calls check_one(element, pointer); `pointer` makes the element's pointer, which only errors
@@ -338,6 +326,23 @@ std::optional<Error> obstruction_error(const Scene& fixed, Vec2 position, double
     if (overlaps(fixed.obstacles[n], position, radius))
       return obstacle_error(fixed, n, std::move(pointer));
   return std::nullopt;
+}
+
+Errors heap_errors(const Scene& scene, std::size_t most) {
+  Errors errors;
+  const std::size_t n = scene.balls.size();
+  if (n == 0 || (n * (n - 1) / 2 <= most && n * scene.holes.size() <= most)) return errors;
+  std::vector<std::uint32_t> balls(n);
+  std::iota(balls.begin(), balls.end(), 0U);
+  Neighbours neighbours(scene, std::move(balls));
+  const auto report = [&](MessageCode problem) {
+    errors.push_back({.pointer = "/balls",
+                      .problem = {problem, {std::to_string(most)}},
+                      .expected = MessageCode::at_most_pairs});
+  };
+  if (neighbours.more_pairs_than(most)) report(MessageCode::has_overlapping_pairs);
+  if (neighbours.more_in_holes_than(most)) report(MessageCode::has_balls_in_holes);
+  return errors;
 }
 
 void check(const Scene& scene, const std::function<void(Error)>& report) {

@@ -315,6 +315,7 @@ class Reader final : public Walker {
     double* number = nullptr;
     Edge* edge = nullptr;
     const Range* range = nullptr;
+    std::string* text = nullptr;
     MessageCode expected = MessageCode::text;
   };
 
@@ -412,9 +413,11 @@ class Reader final : public Walker {
       ball.role = Role{static_cast<std::uint8_t>(name)};
       constexpr auto radius_seen = std::uint32_t{1} << index_of(ball_fields, "radius");
       if (!(containers_.back().seen & radius_seen)) ball.radius = radius_left_out(ball.role);
-    } else if (target.name == "name") {
+    } else if (target.text) {
       if (value.kind != Kind::text) return refuse_it();
-      scene_.name = value.text;
+      *target.text = value.text;
+    } else if (target.name == "$schema") {
+      if (value.kind != Kind::text) return refuse_it();
     } else if (target.name == "carom") {
       const double version = number_in(value);
       if (version > format_version) return refuse_newer(value, target.expected);
@@ -471,6 +474,7 @@ class Reader final : public Walker {
         target_.range = &field.range;
       }
       if (field.edge) target_.edge = &(object.*field.edge);
+      if (field.text) target_.text = &(object.*field.text);
     });
   }
 
@@ -666,9 +670,9 @@ std::string write_scene(const Scene& scene) {
     } else if (field.name == "carom") {
       begin(field.name);
       append_number(out, format_version);
-    } else if (field.name == "name" && !scene.name.empty()) {
+    } else if (field.text && !(scene.*field.text).empty()) {
       begin(field.name);
-      out += Json(scene.name).dump(-1, ' ', false, Json::error_handler_t::replace);
+      out += Json(scene.*field.text).dump(-1, ' ', false, Json::error_handler_t::replace);
     } else if (field.name == "edges" && scene.edges != defaults.edges) {
       begin(field.name);
       out += '{';

@@ -8,7 +8,7 @@ namespace carom {
 
 namespace {
 
-void add(Fnv1a& hash, Vec2 vector) {
+void add_vector(Fnv1a& hash, Vec2 vector) {
   hash.add(vector.x);
   hash.add(vector.y);
 }
@@ -25,9 +25,9 @@ std::uint64_t World::state_hash() const {
     const Ball& b = ball(i);
     hash.add(b.id);
     hash.add(static_cast<std::uint8_t>(b.role));
-    add(hash, b.position);
-    add(hash, b.velocity);
-    add(hash, b.acceleration);
+    add_vector(hash, b.position);
+    add_vector(hash, b.velocity);
+    add_vector(hash, b.acceleration);
     hash.add(b.radius);
     hash.add(b.solidity);
   }

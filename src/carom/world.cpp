@@ -15,13 +15,13 @@ namespace {
 
 bool finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
-Error no_such_ball() {
+}  // namespace
+
+Error World::no_such_ball() {
   return {.pointer = "index",
           .problem = MessageCode::is_no_ball,
           .expected = MessageCode::ball_in_play};
 }
-
-}  // namespace
 
 World::World(Scene scene) {
   balls_.reserve(scene.balls.size());
@@ -31,6 +31,7 @@ World::World(Scene scene) {
     if (ball.role == Role::projectile) ball.solidity = infinite_solidity;
     balls_.push_back(ball);
   }
+  next_id_ = static_cast<std::uint32_t>(size());
   scene.balls = {};
   fixed_ = std::make_shared<const FixedParts>(std::move(scene));
 }
@@ -43,6 +44,7 @@ World::WorkspaceOwner& World::WorkspaceOwner::operator=(const WorkspaceOwner& ot
     return *this;
   }
   workspace->forecast.forget();
+  workspace->places.forget();
   workspace->packed = {};  // it knows the radii of the balls it was built for
   return *this;
 }
@@ -53,7 +55,9 @@ Workspace& World::workspace() {
 }
 
 void World::changed() {
-  if (owner_.workspace) owner_.workspace->forecast.forget();
+  if (!owner_.workspace) return;
+  owner_.workspace->forecast.forget();
+  owner_.workspace->places.forget();
 }
 
 const Scene& World::scene() const { return fixed_->scene; }

@@ -27,6 +27,11 @@ carom::Vec2 launch_velocity(carom::Vec2 drag) {
   return velocity;
 }
 
+carom::Vec2 launch_drag(carom::Vec2 velocity) {
+  const carom::ExactArithmetic exact;
+  return velocity / launch_factor;
+}
+
 carom::Status launch(carom::World& world, carom::Vec2 drag) {
   const carom::Vec2 velocity = launch_velocity(drag);
   if (velocity == carom::Vec2{})

@@ -32,7 +32,8 @@ std::vector<app::Level> read_levels(const fs::path& file_or_folder) {
   fs::directory_iterator entry(file_or_folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code ignored;
-    if (entry->path().extension() == ".json" && entry->is_regular_file(ignored))
+    const fs::path ending = entry->path().extension();
+    if ((ending == ".json" || ending == ".angry-level") && entry->is_regular_file(ignored))
       found.push_back(entry->path());
   }
   std::ranges::sort(found);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -13,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "carom/version.hpp"
+#include "cli/help_format.hpp"
 #include "cli/options.hpp"
 #include "files/files.hpp"
 #include "files/output.hpp"
@@ -174,13 +177,15 @@ int run(int argc, char** argv) {
   Options options;
   CLI::App program("Angry Balls: billiards for two, and levels to break to pieces.", "angry-balls");
   cli::show_failures(program);
+  program.formatter(std::make_shared<cli::HelpFormat>());
   program
       .add_option("LEVELS", options.levels,
-                  "Levels of your own: files, and folders of *.json files")
+                  "Levels of your own: files, and folders of *.json and *.angry-level files; or "
+                  "one replay to show: *.angry-replay")
       ->check(cli::file_name())
       ->type_name("");
   program.footer(examples);
-  program.set_version_flag("--version", ANGRY_BALLS_VERSION);
+  program.set_version_flag("--version", "angry-balls " CAROM_VERSION);
   bool licences = false;
   program.add_flag("--licences", licences, "Print the licences of this program and of its parts");
   auto* script =
@@ -219,6 +224,11 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? done : bad_input;
+  }
+  // What a double click opens.
+  if (options.levels.size() == 1 && options.levels[0].extension() == ".angry-replay") {
+    options.replay = options.levels[0].string();
+    options.levels.clear();
   }
   if (licences) return (std::cout << licences::text).flush() ? done : cannot_write;
 

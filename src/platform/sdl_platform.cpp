@@ -35,6 +35,10 @@ struct Library {
     // A finger is a finger, and the mouse no finger.
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
     SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
+    // By it a desktop finds the name and the icon: packaging/*.desktop.
+    SDL_SetHint(SDL_HINT_APP_NAME, "Angry Balls");
+    for (const char* const id : {"SDL_VIDEO_X11_WMCLASS", "SDL_VIDEO_WAYLAND_WMCLASS"})
+      SDL_setenv(id, "io.github.angry_balls.angry_balls", 0);
     if (SDL_Init(SDL_INIT_VIDEO) != 0) throw std::runtime_error(SDL_GetError());
     // SDL may settle for a driver that shows nothing: a game that nobody sees.
     const std::string_view driver = SDL_GetCurrentVideoDriver();

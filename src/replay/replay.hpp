@@ -9,6 +9,7 @@
 
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
+#include "carom/version.hpp"
 #include "games/angry_balls.hpp"
 #include "games/billiards.hpp"
 
@@ -16,11 +17,9 @@
 /// numbers of steps between them give the same game, bit by bit.
 namespace replay {
 
-/// A new number whenever a step gives other bits than before: no replay of the old number can be
-/// played any more. tests/replays holds replays that tell when this is due.
-inline constexpr int physics_version = 1;
-/// The same for the rules of both games (phases, points, when a turn ends).
-inline constexpr int rules_version = 1;
+// A replay is of these, and no other.
+using carom::physics_version;
+using carom::rules_version;
 
 // Limits of what is accepted; anything beyond is refused. They hold back texts that are not games,
 // and games that would take hours to play.

@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 #include <new>
 #include <string>
 
 #include "carom/version.hpp"
+#include "cli/help_format.hpp"
 #include "cli/options.hpp"
 #include "files/output.hpp"
 #include "licences/licences.hpp"
@@ -23,6 +25,7 @@ int main(int argc, char** argv) {
   files::reserve_standard_descriptors();
   CLI::App program{"A deterministic 2D ball-physics engine on the command line.", "carom"};
   cli::show_failures(program);
+  program.formatter(std::make_shared<cli::HelpFormat>());
   program.require_subcommand(0, 1);
   program.set_version_flag(
       "--version", std::string("carom " CAROM_VERSION " (") + carom::vector_instructions() + ")",

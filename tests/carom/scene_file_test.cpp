@@ -205,6 +205,46 @@ TEST(SceneFile, WrongFilesGetTheirMessages) {
   }
 }
 
+TEST(SceneFile, TextsForPeopleAreKeptAndTheSchemaIsReadOver) {
+  const std::string json = R"({
+  "carom": 1,
+  "name": "A",
+  "author": "B",
+  "licence": "CC0-1.0",
+  "description": "C\nD",
+  "width": 800,
+  "height": 400,
+  "balls": []
+}
+)";
+  const auto scene = read_scene(json);
+  ASSERT_TRUE(scene) << text(scene.errors());
+  EXPECT_EQ(scene.value().author, "B");
+  EXPECT_EQ(scene.value().licence, "CC0-1.0");
+  EXPECT_EQ(scene.value().description, "C\nD");
+  EXPECT_EQ(write_scene(scene.value()), json);
+  std::string with_schema = json;
+  with_schema.insert(1, R"("$schema": "../schemas/scene.schema.json",)");
+  ASSERT_TRUE(read_scene(with_schema));
+  EXPECT_EQ(write_scene(read_scene(with_schema).value()), json);
+}
+
+TEST(SceneFile, TextsForPeopleHaveLimits) {
+  const auto errors = [](const std::string& member) {
+    return read_errors("{\"carom\": 1, " + member +
+                       R"(, "width": 800, "height": 400, "balls": []})");
+  };
+  EXPECT_EQ(errors("\"description\": \"" + std::string(2000, 'x') + '"'), "");
+  EXPECT_EQ(errors("\"description\": \"" + std::string(2001, 'x') + '"'),
+            "1:29: /description: is 2001 bytes long; expected a text of at most 2000 bytes\n");
+  EXPECT_EQ(errors("\"author\": \"" + std::string(201, 'x') + '"'),
+            "1:24: /author: is 201 bytes long; expected a text of at most 200 bytes\n");
+  EXPECT_EQ(errors("\"licence\": 3"),
+            "1:25: /licence: is 3; expected a text of at most 200 bytes\n");
+  EXPECT_EQ(errors("\"$schema\": 3"),
+            "1:25: /$schema: is 3; expected a text of at most 2000 bytes\n");
+}
+
 TEST(SceneFile, TheSchemaKnowsTheSameKeys) {
   using Json = nlohmann::ordered_json;
   const Json schema = Json::parse(content(source_dir / "schemas/scene.schema.json"));

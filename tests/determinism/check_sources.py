@@ -13,7 +13,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-FOLDERS = ("src/json", "include/carom", "src/carom", "src/games", "src/search", "src/replay")
+FOLDERS = ("src/json", "include/carom", "include/games", "src/carom", "src/games", "src/search", "src/replay")
 
 KEYS_DIFFER = "// keys differ: "
 

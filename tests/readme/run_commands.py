@@ -13,8 +13,29 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEFT_OUT = re.compile(r"git clone .*|cd angry-balls|\./run test.*")
 
 
+def cells(text, *begin):
+    """The cells of the first row of a table that begins with these."""
+    for line in text.splitlines():
+        row = [cell.strip() for cell in line.strip("| ").split("|")]
+        if row[:len(begin)] == list(begin):
+            return row
+    sys.exit(f"no table has a row {begin}")
+
+
+def check_figures(readme):
+    """The comparison's figures are those of docs/performance.md."""
+    text = (ROOT / "docs/performance.md").read_text(encoding="utf-8")
+    cost = cells(text, "GAS", "1 000")[2:5]
+    shots = cells(text[text.index("### Shots a second"):], "BREAK", "37")[2:5]
+    for who, nanoseconds, per_second in zip(("carom", "Chipmunk 7.0.3", "Box2D 2.4.1"), cost, shots):
+        row = cells(readme, who)
+        if not row[1].startswith(f"{nanoseconds} ns") or row[2] != f"{per_second} shots/s":
+            sys.exit(f"README.md says {row[1:3]} of {who}, docs/performance.md {nanoseconds} and {per_second}")
+
+
 def main():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    check_figures(readme)
     blocks = re.findall(r"```sh\n(.*?)```(?:\s*```text\n(.*?)```)?", readme, re.DOTALL)
     environment = {key: value for key, value in os.environ.items()
                    if key not in ("DISPLAY", "WAYLAND_DISPLAY")}

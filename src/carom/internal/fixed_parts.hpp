@@ -5,14 +5,10 @@
 #include <utility>
 
 #include "carom/internal/time_scale.hpp"
+#include "carom/region.hpp"
 #include "carom/scene.hpp"
 
 namespace carom {
-
-struct Box {
-  Vec2 low;
-  Vec2 high;
-};
 
 /// A large part of the play area in which no ball's centre is in a hole.
 Box hole_free_box(const Scene& scene);

@@ -20,6 +20,10 @@ std::optional<Error> obstruction_error(const Scene& fixed, Vec2 position, double
 /// O(balls + obstacles) as long as these do not lie in heaps.
 void check(const Scene& scene, const std::function<void(Error)>& report);
 
+/// The error of a scene that is sound otherwise, in which more than `most` pairs of balls overlap
+/// or more than `most` pairs of a ball's centre and a hole.
+Errors heap_errors(const Scene& scene, std::size_t most);
+
 /// The last error of a list that was cut at max_errors.
 Error more_errors(std::size_t count);
 

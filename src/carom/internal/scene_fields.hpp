@@ -11,7 +11,8 @@ namespace carom {
 // The parts of a scene file: for every kind of object its keys, in the order in which they are
 // written. Reading, checking and writing all go by these tables.
 
-inline constexpr std::size_t max_name_bytes = 200;
+inline constexpr std::size_t max_name_bytes = 200;  ///< author and licence, too
+inline constexpr std::size_t max_description_bytes = 2000;
 inline constexpr int format_version = 1;
 
 /// The numbers a field takes.
@@ -49,6 +50,9 @@ struct Field {
   MessageCode expected = MessageCode::text;
   /// Where an edge goes; null for what is none.
   Edge T::*edge = nullptr;
+  /// Where a text goes, and how long it may be; null for what is none.
+  std::string T::*text = nullptr;
+  std::size_t most_bytes = max_name_bytes;
 
   double value(const T& object) const {
     return number(const_cast<T&>(object));  // `number` writes nothing
@@ -70,12 +74,21 @@ constexpr std::size_t index_of(const Field<T> (&fields)[count], std::string_view
   return index;
 }
 
-static_assert(max_name_bytes == 200 && max_throws == 1000 && format_version == 1,
+static_assert(max_name_bytes == 200 && max_description_bytes == 2000 && max_throws == 1000 &&
+                  format_version == 1,
               "the texts below say so");
 
 inline constexpr Field<Scene> scene_fields[] = {
+    // For editors; not kept.
+    {.name = "$schema", .expected = MessageCode::text_of_2000_bytes},
     {.name = "carom", .required = true, .expected = MessageCode::format_version},
-    {.name = "name", .expected = MessageCode::text_of_200_bytes},
+    {.name = "name", .expected = MessageCode::text_of_200_bytes, .text = &Scene::name},
+    {.name = "author", .expected = MessageCode::text_of_200_bytes, .text = &Scene::author},
+    {.name = "licence", .expected = MessageCode::text_of_200_bytes, .text = &Scene::licence},
+    {.name = "description",
+     .expected = MessageCode::text_of_2000_bytes,
+     .text = &Scene::description,
+     .most_bytes = max_description_bytes},
     {"width", true, [](Scene& s) -> double& { return s.width; }, size_range},
     {"height", true, [](Scene& s) -> double& { return s.height; }, size_range},
     {.name = "edges", .expected = MessageCode::object_of_edges},

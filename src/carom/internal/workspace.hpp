@@ -8,6 +8,7 @@
 #include "carom/event.hpp"
 #include "carom/internal/forecast.hpp"
 #include "carom/internal/packed_index.hpp"
+#include "carom/internal/places.hpp"
 #include "carom/internal/quadtree_search.hpp"
 #include "carom/internal/row_pairs.hpp"
 #include "carom/internal/thread_pool.hpp"
@@ -22,8 +23,16 @@ struct Workspace {
   PackedIndex packed;
   QuadtreeIndex tree;
   RowPairsBuffers rows;
+  Places places;
   std::unique_ptr<ThreadPool> thread_pool;  ///< none: one thread
   std::size_t threads_wanted = 1;
+
+  /// Balls came, went or got another radius otherwise than in a step.
+  void forget_balls() {
+    packed = {};
+    tree = {};
+    tree.set_thread_pool(thread_pool.get());
+  }
 
   void set_threads(std::size_t threads) {
     if (threads == threads_wanted) return;

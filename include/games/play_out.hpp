@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
+#include "carom/public.hpp"
 #include "carom/result.hpp"
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
 
-namespace games {
+namespace CAROM_PUBLIC games {
 
 /// The outcome of a launch.
 struct Outcome {

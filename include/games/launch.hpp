@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
+#include "carom/public.hpp"
 #include "carom/result.hpp"
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
 
-namespace games {
+namespace CAROM_PUBLIC games {
 
 inline constexpr double launch_factor = 5;        ///< 1/s, K (§1.4.1)
 inline constexpr double max_launch_speed = 2000;  ///< px/s (§1.2.1)
@@ -24,6 +25,10 @@ constexpr std::int64_t points_for(std::int64_t i) { return 100 * i; }
 /// The velocity (px/s) a launch gives: launch_factor · drag, where drag (px) leads from the first
 /// click to the second, its length capped at max_launch_speed (§1.4.1).
 carom::Vec2 launch_velocity(carom::Vec2 drag);
+
+/// The drag that gives a velocity (px/s), each coordinate to within the last bit: the other way
+/// round. The greatest speed is capped as in launch_velocity.
+carom::Vec2 launch_drag(carom::Vec2 velocity);
 
 /// Gives the world's lead that velocity. Refuses a drag that is zero or not finite.
 carom::Status launch(carom::World& world, carom::Vec2 drag);

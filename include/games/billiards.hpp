@@ -6,19 +6,24 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "carom/event.hpp"
+#include "carom/public.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
+#include "games/launch.hpp"
 
 /// Billiards for two (§1.4, docs/physics.md#billiards): a state machine. Commands go in by apply(),
 /// time by step(); state and events come out. A table is any scene with a cue ball; all its other
 /// balls count as reds.
-namespace games::billiards {
+namespace games {
+namespace CAROM_PUBLIC billiards {
 
 inline constexpr int reds = 36;  ///< in a triangle of 8 rows (§1.4.2)
 inline constexpr int rows = 8;
@@ -55,6 +60,8 @@ enum class Phase : std::uint8_t {
 /// Launches the cue ball. `drag` (px): from the first click to the second (launch_velocity).
 struct Shoot {
   carom::Vec2 drag;
+  /// By the velocity (px/s) that it gives (launch_drag).
+  static Shoot at(carom::Vec2 velocity) { return {launch_drag(velocity)}; }
   friend bool operator==(const Shoot&, const Shoot&) = default;
 };
 /// Puts the cue ball in hand down. `position`: px.
@@ -115,6 +122,13 @@ class Game {
   /// not finite gives cushion.
   Obstruction obstruction(carom::Vec2 position) const;
 
+  /// The game as bytes (docs/formats.md#states): load_state makes a game of it that goes on with
+  /// the same bits. Its events are not part of it.
+  std::string save_state() const;
+  /// Refuses bytes that are no state of such a game, were changed, or are of other physics or
+  /// rules.
+  static carom::Result<Game> load_state(std::string_view state);
+
   const Options& options() const { return options_; }
   Phase phase() const { return phase_; }
   const carom::World& world() const { return world_; }
@@ -156,4 +170,5 @@ class Game {
   std::vector<Event> events_;
 };
 
-}  // namespace games::billiards
+}  // namespace billiards
+}  // namespace games

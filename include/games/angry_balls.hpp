@@ -2,20 +2,24 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "carom/event.hpp"
+#include "carom/public.hpp"
 #include "carom/result.hpp"
 #include "carom/scene.hpp"
 #include "carom/vec2.hpp"
 #include "carom/world.hpp"
+#include "games/launch.hpp"
 
 /// Angry Balls (§2.3, docs/physics.md#angry-balls): a state machine like billiards. A level is a
 /// scene with a projectile and at least one enemy; the projectile's place in it is the launch
 /// place.
-namespace games::angry_balls {
+namespace games {
+namespace CAROM_PUBLIC angry_balls {
 
 /// After this many steps (30 simulated seconds) the next throw is offered, whatever still moves.
 inline constexpr std::uint64_t offer_steps = 3000;
@@ -31,6 +35,8 @@ enum class Phase : std::uint8_t {
 /// Throws the projectile. `drag` (px): from the first click to the second (launch_velocity).
 struct Throw {
   carom::Vec2 drag;
+  /// By the velocity (px/s) that it gives (launch_drag).
+  static Throw at(carom::Vec2 velocity) { return {launch_drag(velocity)}; }
   friend bool operator==(const Throw&, const Throw&) = default;
 };
 /// Ends the turn. The projectile is back at the launch place, or the level lost after the last
@@ -76,6 +82,13 @@ class Game {
   /// physics_events() and events() tell what happened, as after apply().
   void step();
 
+  /// The game as bytes (docs/formats.md#states): load_state makes a game of it that goes on with
+  /// the same bits. Its events are not part of it.
+  std::string save_state() const;
+  /// Refuses bytes that are no state of such a game, were changed, or are of other physics or
+  /// rules.
+  static carom::Result<Game> load_state(std::string_view state);
+
   Phase phase() const { return phase_; }
   const carom::World& world() const { return world_; }
   const carom::Scene& level() const { return level_; }  ///< as it was at the start
@@ -107,4 +120,5 @@ class Game {
   std::vector<Event> events_;
 };
 
-}  // namespace games::angry_balls
+}  // namespace angry_balls
+}  // namespace games
