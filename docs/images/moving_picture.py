@@ -12,7 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # The first table's aim and shot, a click each; seconds.
 SCRIPT = [{"at": 1, "click": [220, 383]}, {"at": 1.5, "click": [418, 379]},
           {"at": 2, "move": [600, 410]}, {"at": 2.8, "move": [840, 397]}, {"at": 3.2, "click": [840, 397]}]
-FIRST, LAST, STEP = 2.4, 6.8, 0.2
+FIRST, LAST, STEP = 2.4, 6.4, 0.2
 WIDTH, HEIGHT = 480, 270
 
 

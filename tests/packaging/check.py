@@ -3,6 +3,7 @@
 
 The desktop file, the metainfo, the MIME types, the man pages, the completions, one version everywhere."""
 
+import os
 import pathlib
 import re
 import subprocess
@@ -46,7 +47,7 @@ def main():
         # The types, as a desktop sees them.
         (folder / "mime/packages").mkdir(parents=True)
         (folder / f"mime/packages/{ID}.xml").write_text((ROOT / f"packaging/{ID}.xml").read_text())
-        run("update-mime-database", folder / "mime")
+        run("update-mime-database", folder / "mime", env={**os.environ, "XDG_DATA_DIRS": str(folder)})
         globs = (folder / "mime/globs2").read_text()
         for kind in ("level", "replay"):
             if f"application/x-angry-balls-{kind}:*.angry-{kind}" not in globs:
