@@ -76,6 +76,40 @@ namespace CAROM_PUBLIC carom {
   X(is_version_of, "is version {0} of the text of {1}")                                   \
   X(is_gone, "is not there any more")                                                     \
   X(cannot_be_opened, "cannot be opened: {0}")                                            \
+  X(has_nothing_to_launch, "has nothing to launch")                                       \
+  /* What a player would hold against a sound level. */                                   \
+  X(warning, "warning: {0}")                                                              \
+  X(crosses_level_at_once,                                                                \
+    "is {0} px: a throw of full strength crosses it in {1} × 0.01 "                      \
+    "s")                                                                                  \
+  X(falls_too_slowly,                                                                     \
+    "makes a ball that falls through the whole level no faster than {0} "                 \
+    "px/s, which counts as standing still")                                               \
+  X(lies_in_hole, "lies within hole {0}: a throw is over as soon as it begins")           \
+  X(lies_on_hole, "lies within hole {0}, which pulls every throw")                        \
+  X(lies_outside_level,                                                                   \
+    "lies outside the level: the projectile is lost as soon as it is "                    \
+    "thrown")                                                                             \
+  X(lies_on_launch_place, "lies on the launch place")                                     \
+  X(has_no_effect, "has no effect")                                                       \
+  X(is_lost_by_itself, "is lost by itself before anything is thrown")                     \
+  X(moves_by_itself, "moves {0} px by itself before anything is thrown")                  \
+  X(never_rests_by_itself,                                                                \
+    "does not come to rest by itself within 30 s: the next throw would "                  \
+    "never be offered")                                                                   \
+  X(never_rests_after_throw,                                                              \
+    "does not come to rest within 60 s after a throw: the next one is not "               \
+    "offered")                                                                            \
+  X(is_out_of_reach,                                                                      \
+    "could not be hurt, pocketed or driven out by any of {0} throws "                     \
+    "tried")                                                                              \
+  X(is_out_of_reach_so_far,                                                               \
+    "could not be hurt, pocketed or driven out by any of the {0} throws "                 \
+    "tried")                                                                              \
+  X(more_warnings, "and {0} more of the kind")                                            \
+  X(budget_is_used_up,                                                                    \
+    "is too large to try everything: the budget of {0} million ball-steps "               \
+    "is used up after {1} of {2} throws")                                                 \
   /* What is expected. {1} or {2} of a number is its unit or another note in brackets. */ \
   X(number_above, "a number greater than {0}{1}")                                         \
   X(number_above_to, "a number greater than {0} and at most {1}{2}")                      \
@@ -125,6 +159,19 @@ namespace CAROM_PUBLIC carom {
   X(text_characters, "letters, digits, - and _ only")                                     \
   X(version, "version {0}")                                                               \
   X(shorter_game, "a shorter game")                                                       \
+  X(lead_as_first_ball, "a projectile or a cue ball as the first ball")                   \
+  X(level_in_px, "a level some hundred px wide; lengths are px, not metres")              \
+  X(gravity_in_px, "some hundred px/s²; at {0} px/s a ball begins to count as moving")    \
+  X(launch_place_off_holes, "a launch place outside of all holes")                        \
+  X(launch_place_in_level, "a launch place between 0 and the width")                      \
+  X(place_off_projectile, "a place clear of the projectile")                              \
+  X(no_solidity, "no solidity: a projectile's is infinite")                               \
+  X(ball_that_stays, "a ball that stays until it is hit")                                 \
+  X(ball_at_rest, "a ball at rest: on the floor, on a cap or right above another ball")   \
+  X(balls_that_rest, "balls that come to rest")                                           \
+  X(friction_below_1, "friction below 1, holes that are larger than the balls")           \
+  X(enemy_within_reach, "an enemy within reach")                                          \
+  X(fewer_balls, "fewer balls, or a look at what was not tried")                          \
   X(finite_numbers, "finite numbers (px)")
 
 /// Which sentence a Message is. Translations go by it.

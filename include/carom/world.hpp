@@ -130,7 +130,8 @@ class World {
   /// max_speed.
   Status set_velocity(std::size_t index, Vec2 velocity);
 
-  /// Puts the lead, in or out of play, at `position` (px), at rest (§1.4.1, §2.3.1). Refuses a
+  /// Puts the lead, in or out of play, at `position` (px), at rest (§1.4.1, §2.3.1). One that broke
+  /// is whole again, with the solidity that it had at the start. Refuses a
   /// world without one, NaN, infinities, coordinates beyond max_quantity, a place inside an
   /// obstacle or sticking out of a solid edge.
   Status place_lead(Vec2 position);

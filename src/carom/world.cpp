@@ -33,7 +33,8 @@ World::World(Scene scene) {
   }
   next_id_ = static_cast<std::uint32_t>(size());
   scene.balls = {};
-  fixed_ = std::make_shared<const FixedParts>(std::move(scene));
+  const double whole = size() > 0 ? balls_.solidity[0] : infinite_solidity;
+  fixed_ = std::make_shared<const FixedParts>(std::move(scene), whole);
 }
 
 // What many balls leave in it may be large, and holds only for them.
@@ -117,6 +118,7 @@ Status World::place_lead(Vec2 position) {
   balls_.set_position(0, position);
   balls_.set_velocity(0, {});
   balls_.set_acceleration(0, {});
+  if (balls_.solidity[0] < 0) balls_.solidity[0] = fixed_->lead_solidity;
   lead_out_ = false;
   changed();
   return Done{};

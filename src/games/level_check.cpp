@@ -19,6 +19,8 @@ namespace games::angry_balls {
 
 namespace {
 
+using enum carom::MessageCode;
+
 // The fan of throws: every 5° around, ten strengths, each watched for up to six seconds.
 constexpr std::size_t directions = 72;
 constexpr int strengths = 10;
@@ -57,19 +59,18 @@ class Checker {
     endless_throw(created.value());
     unreachable_enemies(created.value());
     if (more_ > 0)
-      report_.warnings.push_back({.problem = "and " + std::to_string(more_) + " more of the kind"});
+      report_.warnings.push_back({.problem = {more_warnings, {std::to_string(more_)}}});
     if (!report_.complete)
-      report_.warnings.push_back({.problem = "is too large to try everything: the budget of " +
-                                             std::to_string(budget_ / 1'000'000) +
-                                             " million ball-steps is used up after " +
-                                             std::to_string(throws_) + " of " +
-                                             std::to_string(directions * strengths) + " throws",
-                                  .expected = "fewer balls, or a look at what was not tried"});
+      report_.warnings.push_back(
+          {.problem = {budget_is_used_up,
+                       {std::to_string(budget_ / 1'000'000), std::to_string(throws_),
+                        std::to_string(directions * strengths)}},
+           .expected = fewer_balls});
     return std::move(report_);
   }
 
  private:
-  void warn(std::string pointer, std::string problem, std::string expected) {
+  void warn(std::string pointer, carom::Message problem, carom::Message expected) {
     if (report_.warnings.size() < carom::max_errors)
       report_.warnings.push_back({std::move(pointer), std::move(problem), std::move(expected)});
     else
@@ -102,20 +103,16 @@ class Checker {
   void scale() {
     const double side = std::max(level_.width, level_.height);
     if (side < least_side)
-      warn(
-          level_.width < level_.height ? "/height" : "/width",
-          "is " + rounded(side) + " px: a throw of full strength crosses it in " +
-              std::to_string(std::lround(std::ceil(side / (max_launch_speed * carom::time_step)))) +
-              " × 0.01 s",
-          "a level some hundred px wide; lengths are px, not metres");
+      warn(level_.width < level_.height ? "/height" : "/width",
+           {crosses_level_at_once,
+            {rounded(side),
+             std::to_string(std::lround(std::ceil(side / (max_launch_speed * carom::time_step))))}},
+           level_in_px);
     // v² = 2·g·h at the bottom of the longest fall.
     const double fall = std::sqrt(2 * level_.gravity * level_.height);
     if (level_.gravity > 0 && fall < carom::rest_speed)
-      warn("/gravity",
-           "makes a ball that falls through the whole level no faster than " + rounded(fall) +
-               " px/s, which counts as standing still",
-           "some hundred px/s\xc2\xb2; at " + rounded(carom::rest_speed) +
-               " px/s a ball begins to count as moving");
+      warn("/gravity", {falls_too_slowly, {rounded(fall)}},
+           {gravity_in_px, {rounded(carom::rest_speed)}});
   }
 
   void launch_place() {
@@ -125,22 +122,19 @@ class Checker {
       const double distance = carom::length(level_.holes[i].position - at);
       if (distance < level_.holes[i].radius)
         warn("/balls/0",
-             std::string("lies within hole ") + std::to_string(i) +
-                 (distance <= level_.holes[i].radius - projectile.radius
-                      ? ": a throw is over as soon as it begins"
-                      : ", which pulls every throw"),
-             "a launch place outside of all holes");
+             {distance <= level_.holes[i].radius - projectile.radius ? lies_in_hole : lies_on_hole,
+              {std::to_string(i)}},
+             launch_place_off_holes);
     }
     if (at.x < -projectile.radius || at.x > level_.width + projectile.radius)
-      warn("/balls/0", "lies outside the level: the projectile is lost as soon as it is thrown",
-           "a launch place between 0 and the width");
+      warn("/balls/0", lies_outside_level, launch_place_in_level);
     for (std::size_t id = 1; id < level_.balls.size(); ++id) {
       const carom::Ball& ball = level_.balls[id];
       if (carom::length(ball.position - at) < ball.radius + projectile.radius)
-        warn(ball_pointer(id), "lies on the launch place", "a place clear of the projectile");
+        warn(ball_pointer(id), lies_on_launch_place, place_off_projectile);
     }
     if (projectile.solidity != carom::infinite_solidity)
-      warn("/balls/0/solidity", "has no effect", "no solidity: a projectile's is infinite");
+      warn("/balls/0/solidity", has_no_effect, no_solidity);
   }
 
   void restless_balls() {
@@ -157,20 +151,14 @@ class Checker {
     for (const Restless& restless : settling.restless) {
       moving += restless.lost ? 0 : 1;
       if (restless.lost)
-        warn(ball_pointer(restless.ball + 1), "is lost by itself before anything is thrown",
-             "a ball that stays until it is hit");
+        warn(ball_pointer(restless.ball + 1), is_lost_by_itself, ball_that_stays);
       else
         warn(ball_pointer(restless.ball + 1),
-             "moves " + rounded_distance(restless.distance) +
-                 " px by itself before anything is thrown",
-             "a ball at rest: on the floor, on a cap or right above another ball");
+             {moves_by_itself, {std::to_string(std::lround(restless.distance))}}, ball_at_rest);
     }
     if (settling.complete && !settling.at_rest && moving > 0)
-      warn({}, "does not come to rest by itself within 30 s: the next throw would never be offered",
-           "balls that come to rest");
+      warn({}, never_rests_by_itself, balls_that_rest);
   }
-
-  static std::string rounded_distance(double px) { return std::to_string(std::lround(px)); }
 
   // The first throw of a player: at 45° with half the strength.
   void endless_throw(const carom::World& start) {
@@ -182,9 +170,7 @@ class Checker {
       if (world.at_rest() || work_ > most) return;
       if (!run(world, {.rest = true}, steps_at_a_time, [](const carom::Event&) {})) return;
     }
-    if (!world.at_rest())
-      warn({}, "does not come to rest within 60 s after a throw: the next one is not offered",
-           "friction below 1, holes that are larger than the balls");
+    if (!world.at_rest()) warn({}, never_rests_after_throw, friction_below_1);
   }
 
   static double drag(int strength) {
@@ -235,11 +221,11 @@ class Checker {
         left = run(world, hit, end - world.steps(), reach);
     }
     report_.complete = report_.complete && left;
-    const std::string tried = (left ? "" : "the ") + std::to_string(throws_) + " throws tried";
     for (std::size_t id = 0; id < level_.balls.size(); ++id)
       if (level_.balls[id].role == carom::Role::enemy && !reached[id])
-        warn(ball_pointer(id), "could not be hurt, pocketed or driven out by any of " + tried,
-             "an enemy within reach");
+        warn(ball_pointer(id),
+             {left ? is_out_of_reach : is_out_of_reach_so_far, {std::to_string(throws_)}},
+             enemy_within_reach);
   }
 
   const carom::Scene& level_;

@@ -21,8 +21,8 @@ std::ptrdiff_t enemies(const carom::World& world) {
 
 carom::Result<Outcome> play_out(carom::World& world, carom::Vec2 velocity) {
   if (!world.has_lead())
-    return carom::Error{.problem = "has nothing to launch",
-                        .expected = "a projectile or a cue ball as the first ball"};
+    return carom::Error{.problem = carom::MessageCode::has_nothing_to_launch,
+                        .expected = carom::MessageCode::lead_as_first_ball};
   if (const carom::Status launched = world.set_velocity(0, velocity); !launched)
     return launched.errors();
 

@@ -37,7 +37,7 @@ int check(const std::string& path) {
                                        [&busy](double part) { busy->set_part(part); });
   busy.reset();
   for (carom::Error& warning : carom::locate(bytes.value(), std::move(tried.warnings))) {
-    warning.problem = "warning: " + carom::to_string(warning.problem);
+    warning.problem = {carom::MessageCode::warning, {carom::to_string(warning.problem)}};
     std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
   }
   std::printf("%s: ok\n", shown_name(path).c_str());

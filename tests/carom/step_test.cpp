@@ -296,6 +296,29 @@ TEST(Lead, KeepsItsIndexAndWaitsOutOfPlay) {
   EXPECT_TRUE(world.set_velocity(0, {10, 0}));
 }
 
+TEST(Lead, PlacedAfterItBrokeIsWholeAgain) {
+  carom::Scene scene = table({ball({100, 200}, {1000, 0}), ball({400, 200})});
+  scene.balls[0].role = carom::Role::cue;
+  scene.balls[0].solidity = 500;
+  World world = make(scene);
+  ASSERT_EQ(count(run(world, 60), EventKind::destroyed), 1);
+  ASSERT_FALSE(world.in_play(0));
+  ASSERT_TRUE(world.place_lead({100, 100}));
+  EXPECT_EQ(world.ball(0).solidity, 500);
+}
+
+TEST(Lead, PlacedAfterAShockKeepsTheWear) {
+  carom::Scene scene = table({ball({100, 200}, {1000, 0}), ball({400, 200})});
+  scene.balls[0].role = carom::Role::cue;
+  scene.balls[0].solidity = 50000;
+  World world = make(scene);
+  run(world, 60);
+  const double left = world.ball(0).solidity;
+  ASSERT_LT(left, 50000);
+  ASSERT_TRUE(world.place_lead({100, 100}));
+  EXPECT_EQ(world.ball(0).solidity, left);
+}
+
 TEST(Lead, GoingOutDropsTheRemainingSubSteps) {
   carom::Scene scene = table({ball({380, 200}, {2000, 0}), ball({100, 100}, {1000, 0})});
   scene.balls[0].role = carom::Role::cue;

@@ -23,13 +23,18 @@ struct RoundedHoles {
 
 /// What does not change in a world; its copies share it.
 struct FixedParts {
-  explicit FixedParts(Scene of)
-      : scene(std::move(of)), scale(scene), hole_free(hole_free_box(scene)), holes(scene) {}
+  FixedParts(Scene of, double whole)
+      : scene(std::move(of)),
+        scale(scene),
+        hole_free(hole_free_box(scene)),
+        holes(scene),
+        lead_solidity(whole) {}
 
   Scene scene;  ///< without balls
   TimeScale scale;
   Box hole_free;
   RoundedHoles holes;
+  double lead_solidity;  ///< of ball 0 at the start
 };
 
 }  // namespace carom
