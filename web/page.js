@@ -72,7 +72,19 @@ function openLink() {
   if (!location.hash) return;
   give("web_open_link", utf8(location.hash));
   // The same link may be opened again, and a reload goes on with the game.
-  history.replaceState(null, "", location.pathname + location.search);
+  history.replaceState(history.state, "", location.pathname + location.search);
+}
+
+// The browser's back button, and Android's, is the game's Esc: an entry of the history is there for it
+// to take. A browser passes over entries that were made before the page was touched. On the title there
+// is nothing to go back to in the game: it leaves the page.
+function takeBack() {
+  if (!history.state) history.pushState("game", "");
+}
+function goBack() {
+  if (location.hash || history.state) return; // a link, or forward again
+  if (Module._web_back()) takeBack();
+  else history.back();
 }
 
 // Hidden, the game stands still, and so does what still rings. SDL hears of it, too, and takes no
@@ -114,6 +126,8 @@ var Module = {
     canvas.focus();
     openLink();
     addEventListener("hashchange", openLink);
+    addEventListener("popstate", goBack);
+    for (const touched of ["pointerdown", "keydown"]) addEventListener(touched, takeBack);
     document.addEventListener("visibilitychange", showOrHide);
     document.body.dataset.ready = "yes";
     startLooking();

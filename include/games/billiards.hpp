@@ -25,8 +25,16 @@
 namespace games {
 namespace CAROM_PUBLIC billiards {
 
-inline constexpr int reds = 36;  ///< in a triangle of 8 rows (§1.4.2)
-inline constexpr int rows = 8;
+/// The reds at the start, in a triangle.
+enum class Rack : std::uint8_t {
+  classic,  ///< 36 in 8 rows (§1.4.2)
+  quick,    ///< 15 in 5 rows
+};
+constexpr int rows_of(Rack rack) { return rack == Rack::quick ? 5 : 8; }
+constexpr int reds_of(Rack rack) { return rows_of(rack) * (rows_of(rack) + 1) / 2; }
+
+inline constexpr int reds = reds_of(Rack::classic);
+inline constexpr int rows = rows_of(Rack::classic);
 inline constexpr carom::Vec2 cue_start{200, 200};   ///< px
 inline constexpr carom::Vec2 apex_start{540, 200};  ///< px, the red nearest the cue ball
 
@@ -36,7 +44,7 @@ inline constexpr std::uint64_t max_turn_steps = 12'000;
 
 /// The table at the start: 800 × 400 px, six holes, the rack, the cue ball
 /// (docs/physics.md#billiards).
-carom::Scene rack();
+carom::Scene rack(Rack kind = Rack::classic);
 
 /// Returns why a sound scene cannot be a table: it has no cue ball. Empty if it can.
 carom::Errors check_table(const carom::Scene& scene);
@@ -45,15 +53,18 @@ carom::Errors check_table(const carom::Scene& scene);
 struct Options {
   int first_player = 0;  ///< who has the first turn, 0 or 1; any other number means 0
   bool keep_turn =
-      false;           ///< house rule: who scores has the next turn too, unless the cue ball fell
-  bool alone = false;  ///< practice: the first player has every turn. Not written in replays
+      false;  ///< house rule: who scores has the next turn too, unless the cue ball fell
+  /// House rule: after a shot that touches no red the other player has the cue ball in hand.
+  bool touch_red = false;
+  Rack rack = Rack::classic;  ///< of a game that starts from the rack
+  bool alone = false;         ///< the first player has every turn
   friend bool operator==(const Options&, const Options&) = default;
 };
 
 enum class Phase : std::uint8_t {
   aim,    ///< waiting for Shoot
   roll,   ///< balls in motion: step() is all there is to do
-  place,  ///< the cue ball fell: waiting for Place; the other balls wait with their speeds
+  place,  ///< the cue ball is in hand: waiting for Place; the others wait with their speeds
   over,   ///< only the cue ball is left
 };
 
@@ -79,6 +90,7 @@ enum class Obstruction : std::uint8_t { none, ball, hole, cushion };
 enum class EventKind : std::uint8_t {
   scored,        ///< `player` pocketed red `ball` for `points`
   cue_pocketed,  ///< or it left by an open side: `player`'s turn ends; the next one has it in hand
+  missed,        ///< it touched no red, which Options::touch_red forbids: the same follows
   turn,          ///< the next turn begins: `player` is on
   over,          ///< the game has ended
 };
@@ -96,7 +108,7 @@ struct Tally {
   int balls = 0;               ///< reds pocketed
   std::int64_t best_turn = 0;  ///< the most points made in one turn
   int shots = 0;               ///< the one whose balls still roll included
-  int fouls = 0;               ///< turns that pocketed the cue ball
+  int fouls = 0;               ///< turns that gave the cue ball away
   friend bool operator==(const Tally&, const Tally&) = default;
 };
 
@@ -152,6 +164,7 @@ class Game {
   carom::Status shoot(carom::Vec2 drag);
   carom::Status place(carom::Vec2 position);
   void score_pocketed(std::span<const std::uint32_t> ids_by_index);
+  bool touches_red() const;
   void pass_turn(int next);
   int other_player() const { return options_.alone ? player_ : 1 - player_; }
   Tally& tally() { return tallies_[static_cast<std::size_t>(player_)]; }
@@ -166,6 +179,7 @@ class Game {
   int turn_balls_ = 0;
   std::int64_t turn_points_ = 0;
   std::uint64_t turn_steps_ = 0;
+  bool touched_red_ = false;  ///< in this turn
   std::vector<carom::Event> physics_;
   std::vector<Event> events_;
 };

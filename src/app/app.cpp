@@ -82,6 +82,12 @@ void App::event(const Input& input) {
   note_hand(input);
 }
 
+bool App::back() {
+  if (screen().is_first()) return false;
+  event(KeyPressed{Key::escape});
+  return true;
+}
+
 void App::take_texts(Language language, std::string file) {
   if (!load_texts(language, std::move(file))) return;
   speak(session_, words_);

@@ -68,6 +68,9 @@ class App {
     return settings.mute ? 0 : settings.volume;
   }
   KeptSettings& settings() { return session_.settings; }
+  /// Goes back as Esc does: the back button of a phone or page. False where there is nothing to go
+  /// back to.
+  bool back();
   bool quit_requested() const { return quit_requested_; }
 
  private:

@@ -17,7 +17,7 @@ carom::Error refusal(std::string what, carom::MessageCode problem, carom::Messag
 
 }  // namespace
 
-carom::Scene rack() {
+carom::Scene rack(Rack kind) {
   const carom::ExactArithmetic exact;
   carom::Scene scene;
   scene.name = "Billiards";
@@ -30,7 +30,7 @@ carom::Scene rack() {
       {.role = carom::Role::cue, .position = cue_start, .radius = carom::default_cue_radius});
   const double spacing = 1.01 * 2 * carom::default_radius;
   const double row_distance = spacing * (std::sqrt(3.0) / 2);
-  for (int row = 0; row < rows; ++row)
+  for (int row = 0; row < rows_of(kind); ++row)
     for (int n = 0; n <= row; ++n)
       scene.balls.push_back(
           {.role = carom::Role::red,
@@ -54,16 +54,16 @@ carom::Result<Game> Game::create(carom::Scene table, Options options) {
 }
 
 // The rack is sound: the test that plays it would not start otherwise.
-Game::Game(Options options) : Game(create(rack(), options).value()) {}
+Game::Game(Options options) : Game(create(rack(options.rack), options).value()) {}
 
 Game::Game(std::shared_ptr<const carom::World> start, Options options)
     : start_(std::move(start)),
       world_(*start_),
-      options_{.first_player = options.first_player == 1 ? 1 : 0,
-               .keep_turn = options.keep_turn,
-               .alone = options.alone},
+      options_(options),
       phase_(reds_left() == 0 ? Phase::over : Phase::aim),
-      player_(options_.first_player) {}
+      player_(options.first_player == 1 ? 1 : 0) {
+  options_.first_player = player_;
+}
 
 carom::Status Game::apply(const Command& command) {
   if (const auto* shot = std::get_if<Shoot>(&command)) return shoot(shot->drag);
@@ -81,6 +81,7 @@ carom::Status Game::shoot(carom::Vec2 drag) {
   physics_.clear();
   phase_ = Phase::roll;
   turn_steps_ = 0;
+  touched_red_ = false;
   ++tally().shots;
   return carom::Done{};
 }
@@ -140,6 +141,7 @@ void Game::step() {
   physics_.assign(happened.begin(), happened.end());
   ++turn_steps_;
   score_pocketed(ids);
+  touched_red_ = touched_red_ || touches_red();
 
   const bool cue_fell = !world_.in_play(0);
   if (cue_fell) {
@@ -155,6 +157,13 @@ void Game::step() {
     pass_turn(other_player());
   } else if (world_.at_rest() || turn_steps_ >= max_turn_steps) {
     world_.stop();
+    if (options_.touch_red && !touched_red_) {
+      ++tally().fouls;
+      events_.push_back({.kind = EventKind::missed, .player = player_});
+      phase_ = Phase::place;
+      pass_turn(other_player());
+      return;
+    }
     phase_ = Phase::aim;
     pass_turn(options_.keep_turn && turn_balls_ > 0 ? player_ : other_player());
   }
@@ -175,6 +184,13 @@ void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
     tally().best_turn = std::max(tally().best_turn, turn_points_);
     events_.push_back({.kind = EventKind::scored, .player = player_, .ball = id, .points = points});
   }
+}
+
+/// The cue ball met another ball in the last step: all others are reds.
+bool Game::touches_red() const {
+  return std::ranges::any_of(physics_, [](const carom::Event& event) {
+    return event.kind == carom::EventKind::pair && (event.ball == 0 || event.other == 0);
+  });
 }
 
 void Game::pass_turn(int next) {

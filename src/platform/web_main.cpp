@@ -113,6 +113,9 @@ EMSCRIPTEN_KEEPALIVE void web_cancel() {
   if (window) window->app().event(app::PointerCancelled{});
 }
 
+/// The browser's back button. False where there is nothing in the game to go back to.
+EMSCRIPTEN_KEEPALIVE bool web_back() { return window && window->app().back(); }
+
 /// `text`: a language's code, a zero, and its texts.
 EMSCRIPTEN_KEEPALIVE void web_texts(char* text, std::size_t size) {
   const std::string code(text, strnlen(text, size));

@@ -164,6 +164,11 @@ std::string pasted_text(std::string_view pasted) {
   return text;
 }
 
+char packed_version(std::string_view pasted) {
+  const auto bytes = from_base64url(pasted_text(pasted).substr(0, 4));  // three bytes
+  return bytes && !bytes->empty() ? bytes->front() : char{0};
+}
+
 std::string pack(char version, std::string payload) {
   std::string bytes(1, version);
   const std::string packed = deflated(std::move(payload));

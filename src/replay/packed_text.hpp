@@ -17,6 +17,9 @@ std::string pack(char version, std::string payload);
 /// messages: "a replay".
 carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what);
 
+/// The version that a text begins with; 0 if it begins with none.
+char packed_version(std::string_view pasted);
+
 /// Returns the text alone of a player's paste: of a whole link the part behind '#' and the name;
 /// with no byte order mark, blanks (also those of no width), line ends of folded mail ("=" of
 /// quoted-printable included), quotation marks ("> ") of a reply, or brackets, quotes and marks of

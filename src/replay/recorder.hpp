@@ -29,6 +29,11 @@ class Recorder {
       replay_.options = game_.options();
   }
 
+  /// The same, of a game that is played for something.
+  Recorder(Game game, Occasion occasion) : Recorder(std::move(game)) {
+    replay_.occasion = occasion;
+  }
+
   /// Goes on with a game that was kept: `so_far`, with full hashes, is how it was played.
   Recorder(Game game, Replay so_far) : game_(std::move(game)), replay_(std::move(so_far)) {}
 
@@ -56,6 +61,7 @@ class Recorder {
   }
 
   const Game& game() const { return game_; }
+  const Occasion& occasion() const { return replay_.occasion; }
 
   /// Is true if one step more leaves the replay within max_move_steps and max_steps.
   bool has_room() const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "replay/agreed.hpp"
 #include "replay/written_forms.hpp"
 
 namespace replay {
@@ -23,11 +24,22 @@ carom::Errors check(const Replay& replay) {
       errors.push_back(std::move(error));
     }
   }
-  if (replay.level && replay.options != games::billiards::Options{})
+  if (replay.level &&
+      (replay.options != games::billiards::Options{} || replay.occasion != Occasion{}))
     report("/game", has_options_of_billiards, "none in \"angry-balls\"");
   if (replay.options.first_player != 0 && replay.options.first_player != 1)
     report("/first-player", {is, {std::to_string(replay.options.first_player + 1)}}, "1 or 2");
-  if (replay.options.alone) report("/game", "is practice", "a game of two players");
+  for (const Agreed& item : agreed()) {
+    Replay same = {.options = replay.options, .occasion = replay.occasion};
+    if (!item.set(same, item.get(replay)))
+      report("/" + std::string(item.key), {is, {std::to_string(item.get(replay))}},
+             std::string(item.expected));
+  }
+  const Occasion& occasion = replay.occasion;
+  for (std::size_t player = 0; player < 2; ++player)
+    if (occasion.won[player] > occasion.best_of / 2)
+      report(player == 0 ? "/won-1" : "/won-2", {is, {std::to_string(occasion.won[player])}},
+             "fewer games than win the match");
   for (std::size_t player = 0; player < 2; ++player)
     if (replay.score[player] < 0 || replay.score[player] > max_score ||
         (replay.level && player == 1 && replay.score[player] != 0))

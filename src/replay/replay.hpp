@@ -47,10 +47,26 @@ struct Move {
   friend bool operator==(const Move&, const Move&) = default;
 };
 
+inline constexpr int most_computer = 10;  ///< the strongest computer player
+inline constexpr int most_games = 5;      ///< of a match
+inline constexpr std::uint64_t most_mark = (std::uint64_t{1} << 53) - 1;  ///< exact in binary64
+
+/// What a game of billiards is played for, and by whom. The rules do not ask.
+struct Occasion {
+  /// The level of the computer that plays for a player, 1 to most_computer; 0: a person plays.
+  std::array<int, 2> computer{};
+  std::uint64_t seed = 0;    ///< of all that a computer does, up to most_mark
+  int best_of = 1;           ///< games of the match that this is one of: 1, 3 or 5
+  std::array<int, 2> won{};  ///< of the match before this game, by each player
+  std::uint64_t duel = 0;    ///< the same in all games that are compared; 0: in none
+  friend bool operator==(const Occasion&, const Occasion&) = default;
+};
+
 /// A game from its start to its end, or to where it was left.
 struct Replay {
   std::optional<carom::Scene> level{};  ///< Angry Balls: the level as at the start; none: billiards
   games::billiards::Options options{};  ///< billiards: what was agreed on; otherwise the default
+  Occasion occasion{};                  ///< billiards; otherwise the default
   std::vector<Move> moves{};            ///< in their order
   /// Points at the end: of both players of billiards; in Angry Balls the second is 0.
   std::array<std::int64_t, 2> score{};

@@ -14,6 +14,7 @@
 #include "carom/trace.hpp"
 #include "json/json.hpp"
 #include "json/number_text.hpp"
+#include "replay/agreed.hpp"
 #include "replay/replay_text.hpp"
 #include "replay/written_forms.hpp"
 
@@ -25,16 +26,32 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int format_version = 1;
 constexpr std::size_t max_depth = 16;  // of arrays and objects; a replay with a level needs 5
 constexpr std::string_view white_space = " \t\n\r";
 constexpr std::string_view any_hash = "16 hexadecimal digits, lower case, in double quotes";
 constexpr std::string_view any_replay = R"(a replay: {"angry-balls-replay": 1, …})";
 
 // The keys, in the order in which they are written.
-constexpr std::string_view replay_keys[] = {
-    "angry-balls-replay", "physics", "rules", "game",  "first-player",
-    "keep-turn",          "score",   "level", "moves", "checksum"};
+constexpr std::string_view replay_keys[] = {"angry-balls-replay",
+                                            "physics",
+                                            "rules",
+                                            "game",
+                                            "first-player",
+                                            "keep-turn",
+                                            "reds",
+                                            "touch-red",
+                                            "alone",
+                                            "computer-1",
+                                            "computer-2",
+                                            "seed",
+                                            "best-of",
+                                            "won-1",
+                                            "won-2",
+                                            "duel",
+                                            "score",
+                                            "level",
+                                            "moves",
+                                            "checksum"};
 constexpr std::string_view move_keys[] = {"command", "x", "y", "steps", "hash"};
 constexpr std::string_view game_names[] = {"billiards", "angry-balls"};  // in the order of Kind
 
@@ -54,6 +71,12 @@ std::optional<std::uint64_t> read_hash(std::string_view text) {
   return hash;
 }
 
+// Null if the key is none of version 2.
+const Agreed* agreed_on(std::string_view key) {
+  const auto found = std::ranges::find(agreed(), key, &Agreed::key);
+  return found == agreed().end() ? nullptr : &*found;
+}
+
 // The fault of a version; empty if there is none.
 carom::Message version_problem(std::string_view key, std::uint64_t version) {
   const auto problem = [&](std::string_view what, int own) {
@@ -62,7 +85,7 @@ carom::Message version_problem(std::string_view key, std::uint64_t version) {
   };
   if (key == "physics") return problem("physics", physics_version);
   if (key == "rules") return problem("rules", rules_version);
-  return problem("version", format_version);
+  return version == 1 ? carom::Message() : problem("version", 2);
 }
 
 // The level as its own file says it, two columns further in.
@@ -86,7 +109,7 @@ std::string content(const Replay& replay) {
     begin(key);
     carom::append_number(out, value);
   };
-  number("angry-balls-replay", format_version);
+  number("angry-balls-replay", form_version(replay));
   number("physics", physics_version);
   number("rules", rules_version);
   begin("game");
@@ -95,6 +118,14 @@ std::string content(const Replay& replay) {
   if (replay.options.keep_turn) {
     begin("keep-turn");
     out += "true";
+  }
+  for (const Agreed& item : agreed()) {
+    if (item.get(replay) == item.usual) continue;
+    begin(item.key);
+    if (item.truth)
+      out += "true";
+    else
+      carom::append_number(out, item.get(replay));
   }
   begin("score");
   out += '[' + std::to_string(replay.score[0]);
@@ -375,6 +406,7 @@ class Reader {
     }
     if (key_ == "game") return R"("billiards" or "angry-balls")";
     if (key_ == "first-player") return "1 or 2";
+    if (const Agreed* const item = agreed_on(key_)) return std::string(item->expected);
     if (key_ == "keep-turn") return "true or false";
     if (key_ == "score") return "an array of the points made, in billiards by each player";
     if (key_ == "level") return "a level, an object";
@@ -440,8 +472,16 @@ class Reader {
       replay_.options.keep_turn = *value.truth;
       return true;
     }
+    if (const Agreed* const item = agreed_on(key_)) {
+      const auto given = item->truth && value.truth
+                             ? std::optional(std::uint64_t{*value.truth ? 1U : 0U})
+                             : value.whole;
+      const bool fits = given && item->truth == value.truth.has_value();
+      return (fits && item->set(replay_, *given)) || wrong_value(value);
+    }
     if (key_ == "score" || key_ == "level" || key_ == "moves" || !value.whole)
       return wrong_value(value);
+    if (key_ == "angry-balls-replay") version_ = *value.whole;
     carom::Message problem = version_problem(key_, *value.whole);
     return problem.empty() || refuse(std::move(problem), {});
   }
@@ -519,7 +559,7 @@ class Reader {
       key_ = key;
       if (key == "level" && of_billiards) {
         if (seen_ & bit) refuse(is_given, R"(no level in "billiards")");
-      } else if (key == "first-player" || key == "keep-turn") {
+      } else if (key == "first-player" || key == "keep-turn" || agreed_on(key)) {
         if ((seen_ & bit) && !of_billiards)
           refuse(is_given, "no " + std::string(key) + R"( in "angry-balls")");
       } else if (!(seen_ & bit)) {
@@ -531,6 +571,9 @@ class Reader {
       if (!errors_.empty()) return;
     }
     errors_ = carom::locate(json_, check(replay_));
+    if (errors_.empty() && version_ != static_cast<std::uint64_t>(form_version(replay_)))
+      refuse({is, {std::to_string(version_)}}, {version, {std::to_string(form_version(replay_))}},
+             "/angry-balls-replay");
     if (errors_.empty() && checksums_count && checksum_ != checksum(content(replay_)))
       refuse(is_not_the_replays, "the replay as it was written", "/checksum");
   }
@@ -542,6 +585,7 @@ class Reader {
   std::string key_;    // the last in the replay or move, fit to be printed
   unsigned seen_ = 0;  // keys of the replay, a bit for each
   unsigned seen_in_move_ = 0;
+  std::uint64_t version_ = 1;
   std::size_t scores_ = 0;
   std::size_t level_begin_ = 0;
   Kind kind_ = Kind::billiards;

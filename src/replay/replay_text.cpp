@@ -8,6 +8,7 @@
 
 #include "carom/arithmetic.hpp"
 #include "carom/scene_file.hpp"
+#include "replay/agreed.hpp"
 #include "replay/packed_text.hpp"
 #include "replay/written_forms.hpp"
 
@@ -15,7 +16,6 @@ namespace replay {
 
 namespace {
 
-constexpr char format_version = 1;
 constexpr std::string_view what = "a replay";
 
 // Numbers of moves take three bytes each in the payload, and packing makes less of them: the counts
@@ -39,13 +39,15 @@ double from_zigzag(std::uint64_t code) {
   return static_cast<double>(code % 2 == 0 ? half : -half - 1) * text_grid;
 }
 
-// The game, as a number. Billiards with options of its own is a third one, followed by them.
+// The game, as a number. Billiards with options of its own is a third one, followed by them. In
+// version 2 there is no third one: the options and all that was agreed on follow in any case.
 enum class Form : std::uint64_t { billiards, angry_balls, billiards_with_options };
 constexpr std::uint64_t second_begins = 1;  // bits of the options
 constexpr std::uint64_t keep_turn = 2;
 
 Form form_of(const Replay& replay) {
   if (replay.level) return Form::angry_balls;
+  if (form_version(replay) == 2) return Form::billiards;
   return replay.options == games::billiards::Options{} ? Form::billiards
                                                        : Form::billiards_with_options;
 }
@@ -62,9 +64,12 @@ class Writer {
     whole(physics_version);
     whole(rules_version);
     whole(static_cast<std::uint64_t>(form_of(replay)));
-    if (form_of(replay) == Form::billiards_with_options)
+    const bool second_version = form_version(replay) == 2;
+    if (second_version || form_of(replay) == Form::billiards_with_options)
       whole((replay.options.first_player == 1 ? second_begins : 0) |
             (replay.options.keep_turn ? keep_turn : 0));
+    if (second_version)
+      for (const Agreed& item : agreed()) whole(item.get(replay));
     whole(static_cast<std::uint64_t>(replay.score[0]));
     if (replay.level) {
       const std::string level = carom::write_scene(*replay.level);
@@ -118,7 +123,7 @@ class Writer {
 // After a mistake everything reads as zero; whether there was one is asked at the end.
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+  Reader(std::string_view bytes, char version) : bytes_(bytes), version_(version) {}
 
   carom::Result<Replay> read() {
     if (const std::uint64_t physics = whole(); !wrong_ && physics != physics_version)
@@ -128,10 +133,16 @@ class Reader {
 
     Replay replay{.short_hashes = true};
     const auto form = static_cast<Form>(whole());
-    const std::uint64_t options = form == Form::billiards_with_options ? whole() : 0;
-    if (form > Form::billiards_with_options || options > (second_begins | keep_turn)) wrong_ = true;
+    const bool second_version = version_ == 2;
+    const std::uint64_t options =
+        second_version || form == Form::billiards_with_options ? whole() : 0;
+    if (form > (second_version ? Form::angry_balls : Form::billiards_with_options) ||
+        options > (second_begins | keep_turn))
+      wrong_ = true;
     replay.options = {.first_player = (options & second_begins) != 0 ? 1 : 0,
                       .keep_turn = (options & keep_turn) != 0};
+    if (second_version)
+      for (const Agreed& item : agreed()) wrong_ = !item.set(replay, whole()) || wrong_;
     const bool is_level = form == Form::angry_balls;
     replay.score[0] = points();
     if (is_level) {
@@ -218,6 +229,7 @@ class Reader {
   }
 
   std::string_view bytes_;
+  char version_;
   std::size_t at_ = 0;
   bool wrong_ = false;
 };
@@ -226,19 +238,20 @@ class Reader {
 
 std::string write_text(const Replay& replay) {
   const carom::ExactArithmetic exact;
-  return pack(format_version, Writer().write(replay));
+  return pack(static_cast<char>(form_version(replay)), Writer().write(replay));
 }
 
 carom::Result<Replay> read_text(std::string_view text) {
   const carom::ExactArithmetic exact;
-  const auto payload = unpack(text, format_version, what);
+  const char version = packed_version(text) == 2 ? 2 : 1;
+  const auto payload = unpack(text, version, what);
   if (!payload) return payload.errors();
-  auto replay = Reader(payload.value()).read();
+  auto replay = Reader(payload.value(), version).read();
   if (!replay) return replay;
   carom::Errors errors = check(replay.value());
   if (!errors.empty()) return errors;
   // Every replay has one payload; the packing of it depends on zlib's version and is left out.
-  if (Writer().write(replay.value()) != payload.value())
+  if (form_version(replay.value()) != version || Writer().write(replay.value()) != payload.value())
     return damaged("it is not written as it should be");
   return replay;
 }

@@ -109,6 +109,9 @@ TEST_F(AngryBallsScreenTest, TwoClicksThrowExactly) {
 }
 
 TEST_F(AngryBallsScreenTest, OnlyAClickOnTheProjectileTakesIt) {
+  app::Settings settings;
+  settings.aiming.way = app::AimWay::pull;
+  session.settings.set(settings);
   click(launch() + app::Point{200, -200});
   EXPECT_TRUE(shows("Click the angry ball first."));
   click(launch() + app::Point{300, -200});
@@ -246,13 +249,21 @@ TEST_F(AngryBallsScreenTest, TheNextLevelIsOneThatCanBePlayed) {
   EXPECT_EQ(std::get<app::PlayLevel>(next).level, 2u);
 }
 
-TEST_F(AngryBallsScreenTest, EscapeLeavesWithNoQuestionButFirstTheFocus) {
-  EXPECT_TRUE(asks_for<app::ShowLevels>(key(app::Key::escape)));
+TEST_F(AngryBallsScreenTest, EscapeLeavesTheFocusThenPauses) {
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::ShowLevels>(press("Leave")));
   throw_by(20, 10);
   pass(50ms);
   key(app::Key::tab);
   EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
-  EXPECT_TRUE(asks_for<app::ShowLevels>(key(app::Key::escape)));
+  const auto steps = screen->game().world().steps();
+  pass(50ms);
+  EXPECT_GT(screen->game().world().steps(), steps) << "only the focus is gone";
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
+  const auto there = screen->game().world().steps();
+  pass(50ms);
+  EXPECT_EQ(screen->game().world().steps(), there) << "it waits";
+  EXPECT_TRUE(asks_for<app::ShowLevels>(press("Leave")));
   EXPECT_TRUE(asks_for<app::ShowLevels>(press("Menu")));
 }
 

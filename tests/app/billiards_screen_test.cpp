@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/greedy_player.hpp"
+#include "app/play/first_aim.hpp"
 #include "app/staged.hpp"
 
 namespace {
@@ -107,6 +108,9 @@ TEST_F(BilliardsScreenTest, DragStartsAtTheFirstClickNotAtTheBall) {
 }
 
 TEST_F(BilliardsScreenTest, AClickBesideTheCueBallOnlyTellsWhatToDo) {
+  app::Settings settings;
+  settings.aiming.way = app::AimWay::pull;
+  session.settings.set(settings);
   click(window(400, 200));
   click(window(500, 200));
   EXPECT_EQ(screen.game().phase(), Phase::aim);
@@ -175,7 +179,8 @@ TEST_F(BilliardsScreenTest, TheSameShotWhateverTheFrameRate) {
 
 TEST_F(BilliardsScreenTest, AFreshGameIsLeftWithoutAsking) {
   EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Leave"))));
-  EXPECT_TRUE(asks_for<app::ShowTitle>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Leave"))));
 }
 
 TEST_F(BilliardsScreenTest, EscapeFirstLeavesTheFocus) {
@@ -183,12 +188,15 @@ TEST_F(BilliardsScreenTest, EscapeFirstLeavesTheFocus) {
   watch();
   key(app::Key::tab);
   EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
-  EXPECT_TRUE(asks_for<app::ShowTitle>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::escape)));
+  EXPECT_TRUE(asks_for<app::ShowTitle>(click(button("Leave"))));
 }
 
 TEST_F(BilliardsScreenTest, TheFirstTabIsOnTheGear) {
   key(app::Key::tab);
-  EXPECT_TRUE(asks_for<app::ShowSettings>(key(app::Key::enter)));
+  EXPECT_TRUE(asks_for<app::Stay>(key(app::Key::enter)));
+  EXPECT_NE(screen.describe().find("paused: "), std::string::npos);
+  EXPECT_TRUE(asks_for<app::ShowSettings>(click(button("Settings"))));
 }
 
 TEST_F(BilliardsScreenTest, KeysStartToAimAtTheNearestRed) {

@@ -195,7 +195,7 @@ TEST(Continue, LeavingKeepsTheGameWithNoQuestion) {
   Start game(store);
   first_shot(game);
   const auto before = last(store);
-  game.key(app::Key::escape);
+  game.leave();
   EXPECT_TRUE(game.says("title screen")) << game.title();
   EXPECT_EQ(last(store), before);
   game.load("Continue: billiards, player 2");
@@ -207,7 +207,7 @@ TEST(Continue, LeavingKeepsTheGameWithNoQuestion) {
   game.press("First steps");
   game.throw_by(-60, 10);
   game.pass(100ms);
-  game.key(app::Key::escape);
+  game.leave();
   EXPECT_TRUE(game.says("level menu")) << game.title();
   game.key(app::Key::escape);
   EXPECT_TRUE(game.shows("Continue: level 1")) << "the game played last";
@@ -242,7 +242,7 @@ TEST(Continue, ANewGameLeavesTheOthersAlone) {
   {
     Start game(store);
     first_shot(game);
-    game.key(app::Key::escape);
+    game.leave();
   }
   const auto first = last(store);
   Start game(store);
@@ -251,7 +251,7 @@ TEST(Continue, ANewGameLeavesTheOthersAlone) {
   EXPECT_TRUE(game.says("Player 1 aims")) << game.title();
   game.shoot({200, 200}, {-80, 3});
   game.watch();
-  game.key(app::Key::escape);
+  game.leave();
   ASSERT_EQ(kept(store).size(), 2U);
   EXPECT_EQ(stored(store, kept(store)[1]), first);
 
@@ -265,7 +265,7 @@ TEST(Continue, ANewGameLeavesTheOthersAlone) {
   game.press("1 turn");
   for (int i = 0; i < 1000 && game.says("Loading"); ++i) game.pass(10ms);
   EXPECT_TRUE(game.says("aims")) << game.title();
-  game.key(app::Key::escape);
+  game.leave();
   game.press("Saved games");
   game.press("Delete");
   game.key(app::Key::enter);  // the first button

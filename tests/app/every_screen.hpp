@@ -98,6 +98,9 @@ class Walk {
     game.key(Key::paste);
     check(game);
     game.key(Key::escape);
+    game.press(in(Text::new_game_more));
+    check(game);
+    game.key(Key::escape);
     game.key(Key::help);
     check(game);
     game.press(in(Text::change_keys));
@@ -145,6 +148,8 @@ class Walk {
         game.key(Key::escape);
       }
       game.key(Key::escape);
+      check(game);
+      for (const Key by : {Key::back_tab, Key::back_tab, Key::enter}) game.key(by);
       check(game);
     }
   }
@@ -202,6 +207,9 @@ class Walk {
         throw_left(game);
         check(game);
         game.key(Key::n);
+        if (!game.says(in(Text::ask_go_on))) continue;
+        check(game);
+        game.key(Key::escape);
       }
       ASSERT_TRUE(game.says(in(Text::lost))) << game.title();
       check(game);

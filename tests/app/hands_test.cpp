@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/greedy_player.hpp"
+#include "app/hud/aim_controls.hpp"
 #include "app/player.hpp"
 #include "app/screens/angry_balls_screen.hpp"
 #include "app/screens/billiards_screen.hpp"
@@ -174,7 +175,7 @@ TEST_F(Hands, ATableByKeyboardAlone) {
 }
 
 TEST_F(Hands, ALevelByKeyboardAlone) {
-  for (int i = 0; i < 3; ++i) key(Key::tab);
+  for (int i = 0; i < 4; ++i) key(Key::tab);
   key(Key::enter);
   ASSERT_TRUE(game.says("level menu"));
   key(Key::tab);
@@ -213,7 +214,7 @@ TEST_F(Hands, ATableByGamepadAlone) {
 }
 
 TEST_F(Hands, ALevelByGamepadAlone) {
-  for (int i = 0; i < 3; ++i) {  // the stick, as a cross
+  for (int i = 0; i < 4; ++i) {  // the stick, as a cross
     game.app().event(app::PadMoved{PadAxis::left_y, 1});
     game.app().event(app::PadMoved{PadAxis::left_y, 0});
   }
@@ -279,10 +280,71 @@ TEST_F(Hands, ALevelByTouchAlone) {
   EXPECT_TRUE(game.says("Level 2"));
 }
 
+/// What a new player does: a tap, a drag across, the bar, the button.
+TEST_F(Hands, ALevelByTapDragBarAndButtonByMouseAndFinger) {
+  for (const bool by_finger : {false, true}) {
+    const auto down = [&](app::Point at) {
+      if (by_finger) return finger(app::Finger::Phase::down, at);
+      game.app().event(app::PointerMoved{at});
+      game.app().event(app::PointerPressed{at});
+    };
+    const auto move = [&](app::Point at) {
+      if (by_finger) return finger(app::Finger::Phase::moved, at);
+      game.app().event(app::PointerMoved{at});
+    };
+    const auto up = [&](app::Point at) {
+      if (by_finger) return finger(app::Finger::Phase::up, at);
+      game.app().event(app::PointerReleased{at});
+    };
+    const auto press = [&](app::Point at) {
+      down(at);
+      up(at);
+    };
+    press(game.find("Angry Balls")->center());
+    press(game.find("First steps")->center());
+    ASSERT_TRUE(game.says("Level 1")) << game.title();
+    const carom::Vec2 drag{155, -14};
+    app::Aim wanted;
+    wanted.set(drag);
+    const auto window = [&](carom::Vec2 at) { return level().viewport().to_window(at); };
+    const carom::Vec2 ball = level().game().world().ball(0).position;
+    EXPECT_FALSE(game.offers("Shoot"));
+    press(window(ball + 2.0 * drag));
+    ASSERT_TRUE(level().aimed());
+    EXPECT_NEAR(level().aimed()->degrees(), wanted.degrees(), 0.5);
+    // Up a point turns it by 0.1°, whatever is beneath.
+    const app::Point from{640, 300};
+    const auto off = static_cast<float>((wanted.degrees() + 3 - level().aimed()->degrees()) / 0.1);
+    down(from);
+    move(from - app::Point{0, 5});
+    move(from - app::Point{0, 5 + off});
+    up(from - app::Point{0, 5 + off});
+    EXPECT_NEAR(level().aimed()->degrees(), wanted.degrees() + 3, 0.02);
+    // The field: 300 points to the right are 3° back.
+    const app::Point fine = game.find("Fine")->center();
+    down(fine);
+    move(fine + app::Point{5, 0});
+    move(fine + app::Point{305, 0});
+    up(fine + app::Point{305, 0});
+    EXPECT_NEAR(level().aimed()->degrees(), wanted.degrees(), 0.02);
+    app::View view = app::View::of(1280, 720);
+    view.touch = by_finger;
+    const app::Rect meter = app::strength_meter(view, app::GameLayout::of(view).footer);
+    press({meter.x + meter.w * static_cast<float>(wanted.strength()), meter.center().y});
+    EXPECT_NEAR(level().aimed()->speed(), wanted.speed(), 4);
+    EXPECT_EQ(level().game().phase(), angry_balls::Phase::aim);
+    press(game.find("Shoot")->center());
+    watch_level();
+    press(game.find("Menu")->center());
+    game.key(Key::escape);
+    ASSERT_TRUE(game.says("title screen")) << game.title();
+  }
+}
+
 TEST_F(Hands, AFingerTurnsAndTheButtonShoots) {
   key(Key::settings);
-  tap("Aiming");
-  for (int i = 0; i < 3 && !game.shows("Turn"); ++i) tap("Way");
+  tap("Game");
+  for (int i = 0; i < 3 && !game.shows("Turn, then power"); ++i) tap("Way");
   tap("Close");
   for (const bool by_button : {true, false}) {
     tap("Billiards");
@@ -326,27 +388,27 @@ TEST_F(Hands, ButtonsGrowForFingers) {
 TEST_F(Hands, HintsAreForTheDeviceUsedLast) {
   game.app().teach_beginners();
   key(Key::enter);
-  EXPECT_TRUE(game.shows("Press on the ball"));
-  EXPECT_TRUE(game.shows("Pull the ball back and let go. Keys: arrows, Enter."));
+  EXPECT_TRUE(game.shows("Set the strength"));
+  EXPECT_TRUE(game.shows("Click where to send it, or pull the ball back. Keys: arrows, Enter."));
   game.app().event(app::PadMoved{PadAxis::right_trigger, 0.1f});
   EXPECT_TRUE(game.shows("Keys: arrows")) << "a trigger that is not quite let go is no hand";
   game.app().event(app::PadMoved{PadAxis::right_trigger, 0.6f});
   game.app().event(app::PadMoved{PadAxis::right_trigger, 0});
   EXPECT_TRUE(game.shows("Triggers: power"));
-  EXPECT_FALSE(game.shows("Press on the ball"));
+  EXPECT_FALSE(game.shows("Set the strength"));
   EXPECT_TRUE(game.shows("A: shoot."));
   game.app().event(app::Finger{1, app::Finger::Phase::down, {1, 1}});
   game.app().event(app::Finger{1, app::Finger::Phase::up, {1, 1}});
-  EXPECT_TRUE(game.shows("Tap the white cue ball first"));
+  EXPECT_TRUE(game.shows("Tap where to send it"));
   EXPECT_FALSE(game.shows("A: shoot."));
   key(Key::up);
   key(Key::escape);
-  EXPECT_TRUE(game.shows("let go."));
+  EXPECT_TRUE(game.shows("pull the ball back."));
   EXPECT_FALSE(game.shows("Keys: arrows")) << "a finger's keys are those of the screen";
   game.click({1, 1});
-  EXPECT_TRUE(game.shows("Click the white cue ball first"));
-  pad(PadButton::b);
-  EXPECT_TRUE(game.says("title screen"));
+  EXPECT_TRUE(game.shows("Click where to send it"));
+  for (const PadButton by : {PadButton::b, PadButton::back, PadButton::back, PadButton::a}) pad(by);
+  EXPECT_TRUE(game.says("title screen")) << game.title();
   key(Key::enter);
   EXPECT_TRUE(game.shows("Keys: arrows"));
   tap("Leave");
@@ -373,6 +435,9 @@ TEST_F(Hands, NothingLightsUpOnceAFingerIsLifted) {
 
 TEST(Footer, TheHintStaysInTheMiddleBesideThePower) {
   Player wide(app::Language::fr, 1280, 720);
+  app::Settings settings = wide.app().settings().get();
+  settings.aiming.way = app::AimWay::pull;
+  wide.app().settings().set(settings);
   wide.press("Billard");
   wide.pass(std::chrono::seconds{3});
   const auto middle = [&](std::string_view hint) {

@@ -196,6 +196,8 @@ TEST_F(KeysTest, ButtonsTellWhatTheyDo) {
   game.key(Key::tab);
   EXPECT_TRUE(game.shows("A game for two"));
   game.key(Key::tab);
+  EXPECT_TRUE(game.shows("house rules"));
+  game.key(Key::tab);
   EXPECT_TRUE(game.shows("shots can be undone"));
   game.app().event(app::PointerMoved{{1, 1}});
   game.key(Key::enter);
@@ -210,15 +212,15 @@ TEST_F(KeysTest, ButtonsTellWhatTheyDo) {
 
 TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
   game.app().teach_beginners();
-  EXPECT_FALSE(game.shows("Pull it back"));
+  EXPECT_FALSE(game.shows("Set the strength"));
   game.key(Key::enter);
   game.pass(std::chrono::milliseconds{600});
-  EXPECT_TRUE(game.shows("Pull it back"));
+  EXPECT_TRUE(game.shows("Set the strength"));
   EXPECT_FALSE(game.shows("Player 1 to play")) << "the lesson would cover it";
   game.app().event(app::PointerMoved{{300, 300}});
-  EXPECT_TRUE(game.shows("Pull it back"));
+  EXPECT_TRUE(game.shows("Set the strength"));
   game.key(Key::left);
-  EXPECT_FALSE(game.shows("Pull it back"));
+  EXPECT_FALSE(game.shows("Set the strength"));
   EXPECT_TRUE(game.shows("°")) << "and what was done counts";
 
   app::MemoryStore store;
@@ -227,7 +229,7 @@ TEST_F(KeysTest, BeginnersAreTaughtUntilTheyDoSomething) {
   knows.app().teach_beginners();
   knows.key(Key::enter);
   knows.pass(std::chrono::milliseconds{600});
-  EXPECT_FALSE(knows.shows("Pull it back"));
+  EXPECT_FALSE(knows.shows("Set the strength"));
   EXPECT_TRUE(knows.shows("Player 1 to play"));
 }
 
@@ -237,7 +239,7 @@ TEST_F(KeysTest, TheLessonIsNotRepeatedAtTheNextStart) {
     Player starts(app::Language::en, 800, 600, {}, store);
     starts.app().teach_beginners();
     starts.key(Key::enter);
-    EXPECT_EQ(starts.shows("Pull it back"), first);
+    EXPECT_EQ(starts.shows("Set the strength"), first);
     starts.key(Key::left);
   }
 }

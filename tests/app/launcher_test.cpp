@@ -48,7 +48,9 @@ class LauncherTest : public testing::Test {
                         .view = app::View::of(1280, 1000),
                         .world = {60, 450, 800, 400},
                         .meter = {500, 950, 200, 30},
-                        .shoot = {300, 950, 112, 44}};
+                        .shoot = {300, 950, 112, 44},
+                        .fine = {720, 950, 100, 40},
+                        .way = AimWay::pull};
   const Point lead = window(200, 200);
 };
 
@@ -79,24 +81,32 @@ TEST_F(LauncherTest, OnATurnedTableEachWayGoesWhereOneSees) {
   EXPECT_NEAR(launcher.aim.degrees(), up_and_left, 0.01) << "turned there";
 }
 
-TEST_F(LauncherTest, APullReachesTheGreatestSpeedAtEveryEdge) {
-  for (const carom::Vec2 at : {carom::Vec2{10, 10}, {790, 390}, {10, 390}, {400, 200}, {790, 10}}) {
-    put_lead(at.x, at.y);
-    const Point from = window(at.x, at.y);
-    for (int degrees = 0; degrees < 360; degrees += 5) {
-      const float angle = static_cast<float>(degrees) * 0.01745329f;
-      Point to = from;
-      for (float far = 0; far < 1700; far += 1) {  // up to the window's last pixel
-        const Point next = from + Point{std::cos(angle), std::sin(angle)} * far;
-        if (next.x < 0 || next.x > 1279 || next.y < 0 || next.y > 999) break;
-        to = next;
+/// 5 px/s a point of the screen, whatever the window, the room and the world's scale.
+TEST_F(LauncherTest, APullHasOneScaleInEveryWindow) {
+  struct Window {
+    app::View view;
+    app::Viewport viewport;
+  };
+  const carom::Vec2 corner{800, 400};
+  for (const auto& [view, viewport] :
+       {Window{app::View::of(1280, 720), app::Viewport({0, 80, 1280, 590}, {0, 0}, corner)},
+        Window{app::View::of(800, 600), app::Viewport({0, 80, 800, 400}, {0, 0}, corner)},
+        Window{app::View::of(390, 844), app::Viewport({0, 130, 390, 600}, {0, 0}, corner, true)},
+        Window{app::View::of(1170, 2532, 3),
+               app::Viewport({0, 390, 1170, 1800}, {0, 0}, corner)}}) {
+    stage.view = view;
+    stage.viewport = viewport;
+    for (const carom::Vec2 at : {carom::Vec2{10, 10}, {790, 390}, {200, 200}}) {
+      put_lead(at.x, at.y);
+      const Point from = window(at.x, at.y);
+      for (const float points : {20.0f, 80.0f, 399.0f, 500.0f}) {
+        press(from);
+        move(from + Point{0, points * view.density});
+        EXPECT_NEAR(launcher.aim.speed(), std::min(5.0 * static_cast<double>(points), 2000.0), 0.1)
+            << view.width << ": " << points;
+        key(Key::escape);
+        release(from);
       }
-      press(from);
-      move(to);
-      EXPECT_NEAR(launcher.aim.speed(), 2000, 1) << at.x << ", " << at.y << ": " << degrees;
-      EXPECT_NEAR(std::remainder(launcher.aim.degrees() - (180 - degrees), 360), 0, 0.1);
-      key(Key::escape);
-      release(to);
     }
   }
 }
@@ -236,6 +246,131 @@ TEST_F(LauncherTest, ThePointerTurnsAndAClickLaunches) {
   EXPECT_EQ(key(Key::escape), Launcher::Outcome::untouched) << "there is nothing to take back";
   EXPECT_EQ(press(window(200, 300)), Launcher::Outcome::launch);
   EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{0, 200}));
+}
+
+class AngleAndStrengthApart : public LauncherTest {
+ protected:
+  AngleAndStrengthApart() { stage.way = AimWay::apart; }
+  void drag(Point from, Point by) {
+    press(from);
+    const Point begin = from + app::unit(by) * (5 * stage.view.density);  // no tap any more
+    move(begin);
+    move(begin + by);
+    release(begin + by);
+  }
+  Point middle(const app::Rect& box) { return box.center(); }
+};
+
+TEST_F(AngleAndStrengthApart, ATapPoints) {
+  click(window(200, 300));
+  EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{0, 100}));
+  EXPECT_EQ(launcher.stance(), Launcher::Stance::turning);
+  click(window(500, 200));
+  EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{100, 0})) << "near or far, the strength stays";
+  move(window(200, 100));
+  EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{100, 0})) << "a pointer that passes turns nothing";
+  EXPECT_FALSE(launcher.held());
+}
+
+TEST_F(AngleAndStrengthApart, ADragTurnsByWhatIsAcrossTheAim) {
+  for (const carom::Vec2 from : {carom::Vec2{500, 200}, {60, 380}, {790, 10}}) {
+    click(window(500, 200));
+    drag(window(from.x, from.y), {0, -30});
+    EXPECT_NEAR(launcher.aim.degrees(), 3, 0.01) << "its front goes up, too";
+    EXPECT_NEAR(launcher.aim.speed(), 500, 0.1);
+    drag(window(from.x, from.y), {0, 30});
+    EXPECT_NEAR(launcher.aim.degrees(), 0, 0.01);
+    drag(window(from.x, from.y), {30, 0});
+    EXPECT_NEAR(launcher.aim.degrees(), 0, 0.01) << "along it";
+  }
+  stage.view.density = 3;
+  click(window(500, 200));
+  drag(window(500, 200), {0, -30});
+  EXPECT_NEAR(launcher.aim.degrees(), 1, 0.01) << "points, not pixels";
+}
+
+TEST_F(AngleAndStrengthApart, TheFirstDragBeginsWhereTheKeysDo) {
+  drag(window(500, 200), {0, -30});
+  EXPECT_NEAR(launcher.aim.degrees(), 3, 0.01);
+  EXPECT_NEAR(launcher.aim.speed(), 500, 0.1);
+}
+
+TEST_F(AngleAndStrengthApart, TheBarSetsTheStrengthAndTheButtonLaunches) {
+  EXPECT_EQ(press(middle(stage.meter)), Launcher::Outcome::untouched) << "nothing is aimed";
+  click(window(200, 300));
+  press({stage.meter.x + 50, stage.meter.y + 5});
+  EXPECT_NEAR(launcher.aim.speed(), 500, 0.06);
+  move({stage.meter.x + 150, 300});
+  release({stage.meter.x + 150, 300});
+  EXPECT_NEAR(launcher.aim.speed(), 1500, 0.06);
+  EXPECT_NEAR(launcher.aim.degrees(), 90, 0.01);
+  EXPECT_TRUE(launcher.offers_shot(stage.way, false));
+  EXPECT_EQ(press(middle(stage.shoot)), Launcher::Outcome::launch);
+}
+
+TEST_F(AngleAndStrengthApart, TheFieldMakesSmallSteps) {
+  click(window(500, 200));
+  drag(middle(stage.fine), {-40, 3});
+  EXPECT_NEAR(launcher.aim.degrees(), 0.4, 0.01);
+  EXPECT_NEAR(launcher.aim.speed(), 500, 0.1);
+  drag(middle(stage.fine), {3, -40});
+  EXPECT_NEAR(launcher.aim.degrees(), 0.4, 0.01);
+  EXPECT_NEAR(launcher.aim.speed(), 540, 0.1);
+  for (int i = 0; i < 40; ++i) click(middle(stage.fine) + Point{40, 0});
+  EXPECT_NEAR(launcher.aim.degrees(), 0, 0.01);
+  for (int i = 0; i < 40; ++i) click(middle(stage.fine) + Point{0, 15});
+  EXPECT_NEAR(launcher.aim.speed(), 500, 0.1);
+}
+
+TEST_F(AngleAndStrengthApart, TheWheelAndKeysMakeSmallSteps) {
+  click(window(500, 200));
+  give(app::WheelTurned{10});
+  EXPECT_NEAR(launcher.aim.degrees(), 0.1, 0.01);
+  move(middle(stage.meter));
+  give(app::WheelTurned{-10});
+  EXPECT_NEAR(launcher.aim.speed(), 490, 0.1);
+  for (int i = 0; i < 10; ++i) give(app::KeyPressed{Key::right, false, true});
+  EXPECT_NEAR(launcher.aim.degrees(), 0, 0.01);
+}
+
+TEST_F(AngleAndStrengthApart, WhatIsTakenBackLeavesTheAimAsItWas) {
+  press(window(500, 300));
+  give(app::PointerCancelled{});
+  EXPECT_FALSE(launcher.aim.active());
+  click(window(200, 300));
+  for (const Point at : {window(500, 200), middle(stage.meter), middle(stage.fine)}) {
+    press(at);
+    move(at + Point{30, 0});
+    move(at + Point{60, 30});
+    EXPECT_TRUE(launcher.held());
+    give(app::PointerCancelled{});
+    EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{0, 100}));
+    EXPECT_FALSE(launcher.held());
+  }
+  EXPECT_EQ(key(Key::escape), Launcher::Outcome::taken);
+  EXPECT_FALSE(launcher.aim.active());
+}
+
+TEST_F(AngleAndStrengthApart, APressWithin44PointsTakesTheLead) {
+  for (const float density : {1.0f, 2.0f}) {
+    stage.view = app::View::of(1280, 1000, density);
+    press(lead + Point{0, 43 * density});
+    move(lead + Point{-80 * density, 43 * density});
+    EXPECT_EQ(launcher.stance(), Launcher::Stance::pulling);
+    key(Key::escape);
+    release(lead);
+    press(lead + Point{0, 45 * density});
+    EXPECT_EQ(launcher.stance(), Launcher::Stance::turning);
+    give(app::PointerCancelled{});
+  }
+}
+
+TEST_F(AngleAndStrengthApart, AClickOnTheLeadIsTheFirstOfTwo) {
+  click(lead);
+  move(lead + Point{60, 80});
+  EXPECT_EQ(launcher.aim.drag(), (carom::Vec2{60, -80}));
+  EXPECT_FALSE(launcher.offers_shot(stage.way, false));
+  EXPECT_EQ(press(lead + Point{60, 80}), Launcher::Outcome::launch);
 }
 
 TEST_F(LauncherTest, SpaceHeldRunsTheStrengthUpAndDown) {

@@ -192,7 +192,8 @@ TEST_P(Layout, ForFingersAndBeginners) {
 }
 
 TEST_P(Layout, WordsForEveryHandAndWayOfAiming) {
-  for (const auto way : {app::AimWay::clicks, app::AimWay::pull, app::AimWay::turn}) {
+  for (const auto way :
+       {app::AimWay::clicks, app::AimWay::pull, app::AimWay::turn, app::AimWay::apart}) {
     app::Settings settings = game.app().settings().get();
     settings.aiming.way = way;
     game.app().settings().set(settings);
@@ -222,7 +223,7 @@ TEST_P(Layout, WordsForEveryHandAndWayOfAiming) {
       game.app().event(app::PadPressed{app::PadButton::left});
       check();
       key(app::Key::escape);
-      key(app::Key::escape);
+      game.leave();
       if (!table) key(app::Key::escape);
     }
   }
@@ -280,6 +281,9 @@ TEST_P(Layout, AimByPullKeysAndNumbers) {
     check();
     key(app::Key::escape);
     key(app::Key::escape);
+    check(in(Text::paused));
+    key(app::Key::escape);
+    game.leave();
   }
 }
 
@@ -671,7 +675,7 @@ TEST(LayoutOfAnySize, IsSurvivedByLevels) {
     Player game(app::Language::fr, size.width, size.height, {app::read_level("odd", odd)});
     for (const int tabs : {1, 11}) {
       game.app().event(app::Resized{800, 600});
-      while (!game.says("écran titre")) game.key(app::Key::escape);
+      while (!game.says("écran titre")) game.leave();
       game.press("Angry Balls");
       game.app().event(app::Resized{size.width, size.height});
       EXPECT_FALSE(game.app().draw().indices.empty());

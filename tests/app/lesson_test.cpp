@@ -47,7 +47,7 @@ TEST(Lesson, CoversNeitherRackNorCueBallNorPocket) {
     game.key(app::Key::enter);
     game.pass(600ms);
     const app::View view = app::View::of(width, height);
-    app::Rect words = around(game.boxes(), {"Press on the ball", "Pull it back", "Let go!"});
+    app::Rect words = around(game.boxes(), {"Click a target", "Set the strength", "Shoot!"});
     ASSERT_GT(words.w, 0) << "the lesson is not there";
     // Above the words of the panel are its pictures; it may be as low as this.
     const float panel = view.px(0.7f * 168) - view.px(16);

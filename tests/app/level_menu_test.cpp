@@ -32,7 +32,7 @@ TEST(LevelMenu, AClickStartsTheLevelAndEscapeComesBack) {
   game.press("Angry Balls");
   game.press("Two towers");
   EXPECT_TRUE(game.says("Level 2: Two towers")) << game.title();
-  game.key(app::Key::escape);
+  game.leave();
   EXPECT_TRUE(game.says("level menu"));
   game.key(app::Key::escape);
   EXPECT_TRUE(game.says("title screen"));
@@ -101,7 +101,7 @@ TEST(LevelMenu, ManyLevelsArePaged) {
   EXPECT_TRUE(game.shows("own-49"));
   game.press("own-49");
   EXPECT_TRUE(game.says("Level 60: “own-49” (your level)")) << game.title();
-  game.key(app::Key::escape);
+  game.leave();
   EXPECT_TRUE(game.shows("own-49")) << "the page of the level that was played";
   game.press("Next");
   EXPECT_TRUE(game.shows("First steps"));
@@ -138,7 +138,7 @@ TEST(LevelMenu, TheFocusStaysOnALevelInAWindowOfAnotherSize) {
 
 TEST(LevelMenu, IsPlayedByKeysToo) {
   Player game(app::Language::en, 1280, 720);
-  for (int i = 0; i < 3; ++i) game.key(app::Key::tab);
+  for (int i = 0; i < 4; ++i) game.key(app::Key::tab);
   game.key(app::Key::enter);
   game.key(app::Key::tab);
   game.key(app::Key::right);
@@ -156,7 +156,8 @@ TEST(LevelMenu, BestScoresOutliveTheApp) {
   const std::string identity = own_levels(1)[0].identity;
   app::BestScores(store).record(identity, 12300);
   play([](app::App& game) {
-    for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
+    for (const app::Key key :
+         {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
       game.event(app::KeyPressed{key});
     bool shown = false;
     for (const app::Box& box : game.draw().boxes) shown |= box.text == "Best: 12,300";
@@ -170,7 +171,8 @@ TEST(LevelMenu, TellsOfScoresThatWereSetAside) {
   app::MemoryClipboard clipboard;
   ASSERT_TRUE(store.save("scores.json", "?"));
   app::App app(app::Language::en, 1280, 720, store, clipboard);
-  for (const app::Key key : {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
+  for (const app::Key key :
+       {app::Key::tab, app::Key::tab, app::Key::tab, app::Key::tab, app::Key::enter})
     app.event(app::KeyPressed{key});
   bool shown = false;
   for (const app::Box& box : app.draw().boxes)

@@ -179,8 +179,11 @@ TEST(Palette, EveryTextStandsOutFromWhatIsBeneath) {
     game.pass(3s);
     press(Key::up);
     check("the table");
-    press(Key::escape, 2);
-    press(Key::tab, 3);
+    press(Key::escape);
+    press(Key::escape);
+    press(Key::back_tab, 2);
+    press(Key::enter);
+    press(Key::tab, 4);
     press(Key::enter);
     check("the levels");
     press(Key::tab);

@@ -49,6 +49,13 @@ struct Player : platform::NullPlatform {
   }
   bool touches = false;
   void key(app::Key key) { app().event(app::KeyPressed{key}); }
+  /// Leaves a game by the last button of the pause menu.
+  void leave() {
+    // The first Tab is on the first button, either way.
+    for (const app::Key by :
+         {app::Key::escape, app::Key::back_tab, app::Key::back_tab, app::Key::enter})
+      key(by);
+  }
   /// Lets time pass until the title says so.
   void wait_for(std::string_view text) {
     for (int i = 0; i < 4000 && !says(text); ++i) pass(std::chrono::milliseconds{10});

@@ -246,4 +246,26 @@ TEST(Previewer, FullIsForPracticeOnly) {
   EXPECT_EQ(previewer.of(world, aim, settings, true), Preview{}) << "too weak to be a launch";
 }
 
+/// In a level the dots tell the first second, and no ring lies beyond it, unless the player wants
+/// to see more.
+TEST(Preview, InALevelEndsWithTheDots) {
+  carom::Scene scene;
+  scene.gravity = 1;
+  scene.width = 2000;
+  scene.balls = {{.role = carom::Role::projectile, .position = {100, 200}},
+                 {.role = carom::Role::enemy, .position = {800, 199}}};
+  const carom::World level = carom::World::create(scene).value();
+  app::Aim aim;
+  app::Previewer previewer;
+  const auto ring = [&](double drag, PreviewLength length) {
+    aim.set({drag, 0});
+    return previewer.of(level, aim, {.preview = length}, false).ghost.has_value();
+  };
+  EXPECT_TRUE(ring(200, PreviewLength::brief)) << "after 0.7 s";
+  EXPECT_FALSE(ring(100, PreviewLength::brief)) << "after 1.8 s";
+  EXPECT_FALSE(ring(100, PreviewLength::contact));
+  EXPECT_TRUE(ring(100, PreviewLength::full));
+  EXPECT_EQ(previewer.of(level, aim, {}, false).dots.size(), 20U);
+}
+
 }  // namespace

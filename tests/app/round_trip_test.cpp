@@ -13,10 +13,10 @@
 #include "app/storage/saved_replays.hpp"
 #include "app/storage/settings.hpp"
 #include "carom/scene_file.hpp"
+#include "games/random.hpp"
 #include "replay/player.hpp"
 #include "replay/recorder.hpp"
 #include "replay/replay_file.hpp"
-#include "soak/random.hpp"
 #include "soak/random_game.hpp"
 
 namespace {
@@ -45,12 +45,18 @@ app::Settings any_settings() {
   settings.screen_shake = yes();
   settings.colours = static_cast<app::Colours>(one_of(4));
   settings.aiming = {static_cast<app::PreviewLength>(one_of(4)),
-                     static_cast<app::AimWay>(one_of(3))};
+                     static_cast<app::AimWay>(one_of(4))};
   settings.hints = yes();
   settings.taught = yes();
   settings.names = {any_name(), any_name()};
   settings.breaks = static_cast<app::Breaks>(one_of(4));
   settings.keep_turn = yes();
+  settings.seats = static_cast<app::Seats>(one_of(2));
+  settings.rack = static_cast<games::billiards::Rack>(one_of(2));
+  settings.touch_red = yes();
+  settings.go_on = yes();
+  settings.go_on_offered = yes();
+  settings.quick_rolling = yes();
   for (const app::Command command : app::all_commands)  // a letter that is taken changes nothing
     static_cast<void>(settings.keys.bind(
         command, static_cast<app::Key>(static_cast<int>(app::Key::a) + one_of(26))));
@@ -82,7 +88,7 @@ RC_GTEST_PROP(RoundTrip, OfAnyBestScores, ()) {
 
 /// The first moves of a random game, left anywhere: after a command, or in the middle of a shot.
 template <class Game>
-replay::Recorder<Game> any_game(Game game, soak::Random& random) {
+replay::Recorder<Game> any_game(Game game, games::Random& random) {
   replay::Recorder<Game> recorder(std::move(game));
   for (auto left = random.below(1500); left > 0; --left) {
     if (const auto command = soak::random_command(recorder.game(), random))
@@ -111,21 +117,21 @@ void expect_kept_and_saved(const replay::Replay& game) {
 }
 
 RC_GTEST_PROP(RoundTrip, OfAnyTableLeftAnywhere, ()) {
-  soak::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  games::Random random(*rc::gen::arbitrary<std::uint64_t>());
   const games::billiards::Options options{.first_player = static_cast<int>(random.below(2)),
                                           .keep_turn = random.one_in(2)};
   expect_kept_and_saved(any_game(games::billiards::Game(options), random).replay());
 }
 
 RC_GTEST_PROP(RoundTrip, OfAnyLevelLeftAnywhere, ()) {
-  soak::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  games::Random random(*rc::gen::arbitrary<std::uint64_t>());
   auto game = games::angry_balls::Game::create(soak::random_level(random));
   while (!game) game = games::angry_balls::Game::create(soak::random_level(random));
   expect_kept_and_saved(any_game(std::move(game).value(), random).replay());
 }
 
 RC_GTEST_PROP(RoundTrip, OfAnyLevelOfThePlayers, ()) {
-  soak::Random random(*rc::gen::arbitrary<std::uint64_t>());
+  games::Random random(*rc::gen::arbitrary<std::uint64_t>());
   carom::Scene scene = soak::random_level(random);
   while (!games::angry_balls::Game::create(scene)) scene = soak::random_level(random);
   MemoryStore store;

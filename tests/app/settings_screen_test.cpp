@@ -179,7 +179,9 @@ TEST(SettingsScreen, EveryLineIsReachedAndChangedByKeys) {
   expected.colours = app::Colours::red_green;
   expected.reduced_motion = app::ReducedMotion::on;
   expected.screen_shake = true;
-  expected.aiming = {app::PreviewLength::full, app::AimWay::turn};
+  expected.aiming = {app::PreviewLength::full, app::AimWay::clicks};
+  expected.go_on = true;
+  expected.quick_rolling = false;
   expected.names = {"é", "é"};
   expected.breaks = app::Breaks::player_2;
   expected.keep_turn = true;
@@ -240,11 +242,12 @@ TEST(SettingsScreen, AGameIsGoneBackToAndSpeaksTheOtherLanguage) {
       game.press("Practice");
     }
     const std::string before = game.title();
+    game.press("Paused");
     game.press("Settings");
     ASSERT_TRUE(game.says("Settings · General"));
     choose(game, Language::fr);
     game.key(Key::escape);
-    for (const char* label : level ? std::array{"Recommencer", "Menu", "Réglages"}
+    for (const char* label : level ? std::array{"Recommencer", "Menu", "Pause"}
                                    : std::array{"Recommencer", "Quitter", "Répéter"})
       EXPECT_TRUE(game.shows(label)) << label;
     game.key(Key::settings);

@@ -32,6 +32,12 @@ Settings all_changed() {
   settings.names = {"Zoé", "Émile le 2ᵉ"};
   settings.breaks = Breaks::loser;
   settings.keep_turn = true;
+  settings.seats = app::Seats::alone;
+  settings.rack = games::billiards::Rack::quick;
+  settings.touch_red = true;
+  settings.go_on = true;
+  settings.go_on_offered = true;
+  settings.quick_rolling = false;
   // "next" and "pause" have changed places.
   settings.keys = app::KeyBindings::from_pairs(
                       {{"again", "z"}, {"next", "p"}, {"pause", "n"}, {"mute", "a"}, {"fast", "q"}})
@@ -63,6 +69,8 @@ TEST(Settings, AreSavedAfterEveryChange) {
             "  \"preview\": \"full\",\n  \"hints\": false,\n  \"taught\": true,\n  \"names\": [\n  "
             "  \"Zoé\",\n"
             "    \"Émile le 2ᵉ\"\n  ],\n  \"breaks\": \"loser\",\n  \"keep-turn\": true,\n"
+            "  \"players\": \"alone\",\n  \"rack\": \"quick\",\n  \"touch-red\": true,\n"
+            "  \"go-on\": true,\n  \"go-on-offered\": true,\n  \"quick-rolling\": false,\n"
             "  \"keys\": {\n    \"again\": \"z\",\n    \"next\": \"p\",\n    \"pause\": \"n\",\n"
             "    \"fast\": \"q\",\n    \"mute\": \"a\"\n  }\n}\n");
 }

@@ -23,6 +23,7 @@ using games::billiards::Obstruction;
 using games::billiards::Options;
 using games::billiards::Phase;
 using games::billiards::Place;
+using games::billiards::Rack;
 using games::billiards::Restart;
 using games::billiards::Shoot;
 using games::billiards::Tally;
@@ -300,6 +301,55 @@ TEST(Billiards, TheFirstPlayerIsAgreedOn) {
   ASSERT_TRUE(game.apply(Restart{}));
   EXPECT_EQ(game.player(), 1);
   EXPECT_EQ(game.options(), Options{.first_player = 1});
+}
+
+TEST(Rack, TheQuickOneHas15RedsAtTheSameApex) {
+  const carom::Scene classic = games::billiards::rack();
+  const carom::Scene quick = games::billiards::rack(Rack::quick);
+  ASSERT_EQ(quick.balls.size(), 16U);
+  for (std::size_t i = 0; i < quick.balls.size(); ++i)
+    EXPECT_EQ(quick.balls[i], classic.balls[i]) << "the first five rows";
+  EXPECT_EQ(quick.holes, classic.holes);
+  Game game({.rack = Rack::quick});
+  EXPECT_EQ(game.reds_left(), 15);
+  ASSERT_TRUE(game.apply(Shoot{{400, 3}}));
+  roll(game);
+  ASSERT_TRUE(game.apply(Restart{}));
+  EXPECT_EQ(game.reds_left(), 15);
+}
+
+/// The cue ball in hand after a shot that touches no red, as a house rule only.
+TEST(Billiards, AShotThatTouchesNoRedIsAFoulIfThatIsAgreedOn) {
+  Game plain;
+  Game strict({.touch_red = true});
+  for (Game* const game : {&plain, &strict}) ASSERT_TRUE(game->apply(Shoot{{-10, 3}}));
+  roll(plain);
+  EXPECT_EQ(plain.phase(), Phase::aim);
+  const auto events = roll(strict);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0], (games::billiards::Event{.kind = EventKind::missed, .player = 0}));
+  EXPECT_EQ(events[1], (games::billiards::Event{.kind = EventKind::turn, .player = 1}));
+  EXPECT_EQ(strict.phase(), Phase::place);
+  EXPECT_EQ(strict.tally(0).fouls, 1);
+  EXPECT_EQ(strict.player(), 1);
+  const Vec2 where_it_lay = strict.world().ball(0).position;
+  EXPECT_EQ(strict.obstruction(where_it_lay), Obstruction::none);
+  ASSERT_TRUE(strict.apply(Place{where_it_lay}));
+  EXPECT_EQ(strict.world().state_hash(), plain.world().state_hash());
+  ASSERT_TRUE(strict.apply(Shoot{{400, 3}})) << "into the rack";
+  for (const auto& event : roll(strict)) EXPECT_NE(event.kind, EventKind::missed);
+}
+
+TEST(Billiards, WhoPlaysAloneHasEveryTurn) {
+  RandomPlayer player(3);
+  Game game({.touch_red = true, .rack = Rack::quick, .alone = true});
+  while (game.phase() != Phase::over) {
+    EXPECT_EQ(game.player(), 0);
+    player.command(game);
+    roll(game);
+  }
+  EXPECT_EQ(game.tally(0).balls, 15);
+  EXPECT_EQ(game.tally(1), Tally{});
 }
 
 /// Whole games by the report's rules and by the house rule: the turn passes as agreed, points start

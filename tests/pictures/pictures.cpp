@@ -69,6 +69,7 @@ class Visitor {
     billiards();
     end_of_billiards();
     ways_of_aiming();
+    new_game();
     practice();
     levels();
     replays();
@@ -238,7 +239,7 @@ class Visitor {
     game.pass(15s);
     take(game, "billiards-second-player");
     game.key(Key::escape);
-    take(game, "billiards-leave");
+    take(game, "pause-menu");
     game.key(Key::escape);
     // Into a corner hole.
     game.key(Key::up);
@@ -290,7 +291,8 @@ class Visitor {
 
   void ways_of_aiming() {
     for (const auto& [way, name] : {std::pair{app::AimWay::clicks, "aim-clicks"},
-                                    {app::AimWay::turn, "aim-turn-then-power"}}) {
+                                    {app::AimWay::turn, "aim-turn-then-power"},
+                                    {app::AimWay::apart, "aim-turn-and-slide"}}) {
       app::MemoryStore store;
       Game game(*this, store);
       app::Settings settings = game.app().settings().get();
@@ -302,12 +304,30 @@ class Visitor {
       if (!call) continue;
       if (way == app::AimWay::clicks) game.click(call->at);
       const app::Point to = call->at + app::Point{6, -2} * call->radius;
-      if (!game.fingers)
+      if (way == app::AimWay::apart)
+        game.click(call->at + app::Point{12, -2} * call->radius);
+      else if (!game.fingers)
         game.app().event(app::PointerMoved{to});
       else if (way == app::AimWay::turn)
         game.click(to);  // a second tap by clicks shoots
       take(game, name);
     }
+  }
+
+  void new_game() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    game.press(say(app::Text::new_game_more));
+    take(game, "new-game");
+    game.press(say(app::Text::who_plays));
+    game.press(say(app::Text::set_rack));
+    take(game, "new-game-alone");
+    game.press(say(app::Text::start_game));
+    game.pass(3s);
+    take(game, "alone");
+    game.shoot("0", "700");
+    game.pass(6s);
+    take(game, "alone-rolling");
   }
 
   void practice() {

@@ -27,6 +27,16 @@ inline replay::Replay random_replay(std::uint64_t seed) {
   if (billiards && random.one_in(2))
     replay.options = {.first_player = static_cast<int>(random.below(2)),
                       .keep_turn = random.one_in(2)};
+  if (billiards && random.one_in(2)) {  // version 2
+    replay.options.touch_red = random.one_in(2);
+    replay.options.rack = static_cast<games::billiards::Rack>(random.below(2));
+    replay.options.alone = random.one_in(4);
+    replay.occasion = {.computer = {static_cast<int>(random.below(11)), 0},
+                       .seed = random.next() & replay::most_mark,
+                       .best_of = 1 + 2 * static_cast<int>(random.below(3)),
+                       .duel = random.one_in(2) ? random.next() & replay::most_mark : 0};
+    replay.occasion.won[1] = static_cast<int>(random.below(2)) * (replay.occasion.best_of / 2);
+  }
   if (!billiards) {
     do replay.level = soak::random_level(random);
     while (!games::angry_balls::Game::create(*replay.level));

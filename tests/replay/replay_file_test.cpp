@@ -114,6 +114,47 @@ TEST(ReplayFile, NamesOptionsOnlyWhereTheyAreNotTheDefault) {
   EXPECT_EQ(carom::to_string(check(replay).front()), "/first-player: is 3; expected 1 or 2");
 }
 
+TEST(ReplayFile, WhatVersionOneCannotSayIsVersionTwo) {
+  replay::Replay replay;
+  replay.options = {.touch_red = true, .rack = billiards::Rack::quick};
+  replay.occasion = {.computer = {0, 7}, .seed = 300, .best_of = 3, .won = {1, 0}, .duel = 5};
+  const std::string written = replay::write_json(replay);
+  EXPECT_NE(written.find(R"({
+  "angry-balls-replay": 2,
+  "physics": 1,
+  "rules": 1,
+  "game": "billiards",
+  "reds": 15,
+  "touch-red": true,
+  "computer-2": 7,
+  "seed": 300,
+  "best-of": 3,
+  "won-1": 1,
+  "duel": 5,
+  "score": [0, 0],
+)"),
+            std::string::npos)
+      << written;
+  EXPECT_EQ(replay::read_json(written).value(), replay);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string other = written;
+    return problem(other.replace(other.find(from), from.size(), to));
+  };
+  EXPECT_NE(changed("replay\": 2", "replay\": 1").find("/angry-balls-replay: is 1"),
+            std::string::npos);
+  EXPECT_NE(changed("replay\": 2", "replay\": 3").find("/angry-balls-replay: "), std::string::npos);
+  EXPECT_NE(changed("15", "14").find("/reds: is 14; expected 36 or 15"), std::string::npos);
+  EXPECT_NE(changed("true", "1").find("/touch-red: is 1; expected true or false"),
+            std::string::npos);
+  EXPECT_NE(changed("300", "true").find("/seed: is true; expected a whole number"),
+            std::string::npos);
+  EXPECT_NE(changed("of\": 3", "of\": 2").find("/best-of: is 2; expected 1, 3 or 5"),
+            std::string::npos);
+  EXPECT_NE(changed("won-1\": 1", "won-1\": 2").find("/won-1: is 2; expected fewer games"),
+            std::string::npos);
+  EXPECT_NE(changed("billiards", "angry-balls").find("in \"angry-balls\""), std::string::npos);
+}
+
 TEST(ReplayFile, AShortGameTakesAFewHundredBytes) {
   replay::Replay replay = short_billiards().replay();
   EXPECT_LT(replay::write_json(replay).size(), 600U);
@@ -129,7 +170,8 @@ class Refused : public testing::TestWithParam<Wrong> {};
 TEST_P(Refused, WithPlaceAndReason) { EXPECT_EQ(problem(GetParam().json), GetParam().problem); }
 
 const std::string keys =
-    "angry-balls-replay, physics, rules, game, first-player, keep-turn, score, level, moves, "
+    "angry-balls-replay, physics, rules, game, first-player, keep-turn, reds, touch-red, alone, "
+    "computer-1, computer-2, seed, best-of, won-1, won-2, duel, score, level, moves, "
     "checksum";
 const std::string shot = R"({"command": "shoot", "x": 1, "y": 2, "steps": 3, )" + hash + "}";
 
@@ -142,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"{} {}",
               "1:4: is not valid JSON; expected a replay: {\"angry-balls-replay\": 1, …}\n"},
         Wrong{std::string("{}\0", 3), "1:3: is not valid JSON: found the byte 0x00\n"},
-        Wrong{R"({"angry-balls-replay": 2, "news": [)",
-              "1:24: /angry-balls-replay: made by version 2, this is version 1\n"},
+        Wrong{R"({"angry-balls-replay": 3, "news": [)",
+              "1:24: /angry-balls-replay: made by version 3, this is version 2\n"},
         Wrong{R"({"physics": 2})", "1:13: /physics: made by physics 2, this is physics 1\n"},
         Wrong{R"({"rules": 0})", "1:11: /rules: made by rules 0, this is rules 1\n"},
         Wrong{R"({"physics": 1.5})",

@@ -54,6 +54,35 @@ TEST(ReplayText, OptionsOfBilliardsAreAnotherGame) {
   EXPECT_NE(problem(with(4)), "no problem");
 }
 
+TEST(ReplayText, WhatVersionOneCannotSayIsVersionTwo) {
+  replay::Replay replay;
+  replay.options = {.keep_turn = true, .touch_red = true, .rack = billiards::Rack::quick};
+  replay.occasion = {.computer = {0, 7}, .seed = 300, .best_of = 3, .won = {1, 0}, .duel = 5};
+  // Physics, rules, billiards, options; reds, touch-red, alone, computers, seed, match, duel;
+  // scores, the number of moves.
+  const std::string payload("\x01\x01\x00\x02\x0f\x01\x00\x00\x07\xac\x02\x03\x01\x00\x05\0\0\0",
+                            18);
+  EXPECT_EQ(replay::write_text(replay), text_of(payload, 2));
+  EXPECT_EQ(replay::read_text(text_of(payload, 2)).value(), with_short_hashes(replay));
+  EXPECT_NE(problem(text_of(payload, 1)), "no problem");
+  EXPECT_NE(problem(text_of(payload, 3)), "no problem");
+  // A usual game has one form only.
+  const std::string usual("\x01\x01\x00\x00\x24\x00\x00\x00\x00\x00\x01\x00\x00\x00\0\0\0", 17);
+  EXPECT_NE(problem(text_of(usual, 2)), "no problem");
+  for (const auto& [at, wrong] : {std::pair<std::size_t, char>{2, 2},
+                                  {3, 4},
+                                  {4, 14},
+                                  {5, 2},
+                                  {8, 11},
+                                  {11, 2},
+                                  {11, 7},
+                                  {12, 2}}) {
+    std::string other = payload;
+    other[at] = wrong;
+    EXPECT_NE(problem(text_of(other, 2)), "no problem") << at;
+  }
+}
+
 TEST(ReplayText, AnySoundReplayIsReadBack) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const replay::Replay replay = random_replay(seed);
@@ -103,8 +132,8 @@ TEST(ReplayText, AWholeGameOfBilliardsTakesLessThanTwoKilobytes) {
 TEST(ReplayText, RefusesOtherPhysicsAndRules) {
   EXPECT_EQ(problem(text_of("\x02")), "made by physics 2, this is physics 1");
   EXPECT_EQ(problem(text_of("\x01\x07")), "made by rules 7, this is rules 1");
-  EXPECT_EQ(problem(text_of(empty_game, 2)),
-            "is version 2 of the text of a replay; expected version 1");
+  EXPECT_EQ(problem(text_of(empty_game, 3)),
+            "is version 3 of the text of a replay; expected version 1");
 }
 
 TEST(ReplayText, RefusesPartsOfAText) {

@@ -36,11 +36,11 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
   await game.click(...cue);
   await game.waitFor("Player 2 aims");
 
-  // The break, pulled as far as a pull counts.
+  // The break, pulled as far as a pull counts: 400 points.
   await game.move(...cue);
   await game.page.mouse.down();
   await game.move(300, 377);
-  await game.move(160, 377);
+  await game.move(16, 377);
   await game.page.mouse.up();
   await game.waitFor("Player 2 watches");
   const after = await game.waitFor("Player 1 aims", "Player 1 places");

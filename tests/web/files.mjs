@@ -27,7 +27,7 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
 
   // The level dropped is there at the next visit.
   await game.reload();
-  await game.press("Tab", "Tab", "Tab", "Enter");
+  await game.press("Tab", "Tab", "Tab", "Tab", "Enter");
   await game.waitFor("level menu · 11 levels");
 
   await game.press("Escape");

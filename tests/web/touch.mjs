@@ -10,11 +10,11 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     const client = await context.newCDPSession(game.page);
     const touch = (type, ...points) => client.send("Input.dispatchTouchEvent",
       { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
-    const pull = async (from, to) => {
-      await touch("touchStart", from);
-      for (let i = 1; i <= 10; ++i)
-        await touch("touchMove", from.map((at, axis) => at + (to[axis] - at) * i / 10));
-      await touch("touchEnd");
+    // A tap points, the bar sets the strength (px/s), the button throws.
+    const throwTo = async (there, strength) => {
+      await game.tap(...there);
+      await game.tap(326 + 300 * strength / 2000, 338);
+      await game.tap(63, 334); // Shoot
     };
     // No keyboard comes up for a canvas: the page asks.
     let answer = "Zoé";
@@ -41,12 +41,12 @@ await withPage({ width: 640, height: 360, deviceScaleFactor: 2, hasTouch: true, 
     await game.waitFor("level menu");
     await game.tap(86, 107); // First steps
     await game.waitFor("tap the angry ball to throw");
-    await pull([176, 248], [76, 259]);
+    await throwTo([476, 215], 1353);
     check((await game.waitFor("tap for the next throw")).includes("enemies left: 1"),
       "the first throw hit nothing");
     await game.tap(320, 145); // Next throw
     await game.waitFor("tap the angry ball to throw");
-    await pull([176, 248], [76, 230]);
+    await throwTo([476, 302], 1353);
     check((await game.waitFor("Level won!")).includes("score: 200"), "won, but not by 200");
     await game.page.waitForTimeout(1500); // the end is looked at before it is told
     await game.tap(208, 239); // Next level

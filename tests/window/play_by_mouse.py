@@ -76,8 +76,15 @@ def check(condition, message):
         sys.exit(message)
 
 
+def leave(window):
+    """By the last button of the pause menu: the first Tab is on the first one, either way."""
+    for key in ("Escape", "shift+Tab", "shift+Tab", "Return"):
+        window.key(key)
+    window.wait_for("title screen")
+
+
 def billiards(window, pictures):
-    window.click(220, 402)
+    window.click(120, 402)
     window.wait_for("Player 1 aims")
     # A click that is not on the cue ball, and a first click taken back, change nothing.
     window.click(640, 300)
@@ -104,8 +111,7 @@ def billiards(window, pictures):
     window.xdotool("windowsize", window.id, WIDTH, HEIGHT)
     time.sleep(0.5)
     # Back to the title: the game is saved, with no question; "Continue" stands above the others.
-    window.key("Escape")
-    window.wait_for("title screen")
+    leave(window)
 
 
 def practice(window, pictures):
@@ -144,14 +150,13 @@ def practice(window, pictures):
         window.xdotool("mouseup", 1)
         time.sleep(0.3)
         window.wait_for(f"practice: Player 1 {state}")
-    window.key("Escape")
-    window.wait_for("title screen")
+    leave(window)
 
 
 def continue_and_replay(window, data):
     """A saved game is gone on with by a window that knows nothing else; a replay is copied, pasted,
     and saved."""
-    window.click(220, 431)
+    window.click(120, 431)
     window.wait_for("Player 1 aims")
     window.click(418, 379)
     window.click(300, 350)

@@ -7,6 +7,7 @@
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
+#include "app/hud/aim_controls.hpp"
 #include "app/widgets/widgets.hpp"
 #include "games/launch.hpp"
 
@@ -43,19 +44,48 @@ void draw_bar(Canvas& canvas, const Rect& bar, const Aim& aim) {
 }
 
 /// The bar, and above it the launch in numbers: off the table, where they cover no ball.
-void draw_meter(Canvas& canvas, const Rect& meter, const Aim& aim, const Words& words,
-                bool practice) {
+void draw_meter(Canvas& canvas, const Rect& meter, Rect numbers, const Footer& footer,
+                const Words& words) {
+  const Aim& aim = *footer.aim;
   Rect rest = meter;
-  const Rect numbers = rest.cut_top(std::round(rest.h * 0.58f));
-  draw_bar(canvas, centered(rest.center(), rest.w, canvas.px(12)), aim);
+  const float upper = std::round(rest.h * 0.58f);
+  rest.cut_top(upper);
+  numbers = numbers.cut_top(upper);
+  const Rect bar = centered(rest.center(), rest.w, canvas.px(12));
+  draw_bar(canvas, bar, aim);
+  if (footer.slides) {
+    const Point at{bar.x + bar.w * static_cast<float>(aim.strength()), bar.center().y};
+    fill_disc(canvas.list, at, canvas.px(9) + 1, faded(palette::ink, 0.6f));
+    fill_disc(canvas.list, at, canvas.px(9), palette::cream);
+    fill_disc(canvas.list, at, canvas.px(4), palette::slate_bottom);
+  }
   std::string strength =
-      practice ? words(Text::speed, {words.number(static_cast<int>(std::lround(aim.speed())))})
-               : words(Text::per_cent, {words.tenths(100 * aim.speed() / games::max_launch_speed)});
+      footer.practice
+          ? words(Text::speed, {words.number(static_cast<int>(std::lround(aim.speed())))})
+          : words(Text::per_cent, {words.tenths(100 * aim.speed() / games::max_launch_speed)});
   if (aim.capped()) strength = words(Text::speed_capped, {strength});
   label(canvas, numbers,
         {Face::bold, 18, aim.capped() ? strength_color(*canvas.list.palette, 1) : palette::cream,
          Align::center},
         words(Text::aimed, {words.tenths(aim.degrees()), strength}));
+}
+
+/// Arrows on all sides.
+void draw_fine_field(Canvas& canvas, const Rect& box, const Words& words) {
+  DrawList& list = canvas.list;
+  fill_rounded(list, box, canvas.px(6), palette::slate_bottom);
+  stroke_rounded(list, box, canvas.px(6), canvas.px(1), palette::brass);
+  const float size = canvas.px(5);
+  for (const Point way : {Point{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    const Point tip =
+        box.center() + Point{way.x * (box.w / 2 - size), way.y * (box.h / 2 - size / 2)};
+    const Point back = tip - way * size;
+    fill(list, std::array{tip, back + turned(way) * size, back - turned(way) * size},
+         palette::brass_lit);
+  }
+  label(canvas, box.inset(canvas.px(14), 0), {Face::regular, 16, palette::cream, Align::center},
+        words(Text::fine_steps));
+  list.boxes.push_back({Box::Kind::button, box, words(Text::fine_steps)});
 }
 
 /// A path in the window, without the places that lie on a straight line between others: no seams.
@@ -214,46 +244,48 @@ void draw_sling(DrawList& list, const Viewport& viewport, const carom::Ball& lea
   fill_disc(list, to, viewport.px(6), palette::brass);
 }
 
-Rect strength_meter(const View& view, const Rect& footer) {
-  Rect rest = footer.inset(view.px(16), view.px(4));
-  return view.narrow() ? rest.cut_top(rest.h / 2)
-                       : rest.cut_right(std::min(view.px(240), rest.w * 0.3f));
+void draw_invitation(DrawList& list, const Viewport& viewport, const carom::Ball& lead,
+                     bool hovered, Color color) {
+  stroke_circle(list, viewport.to_window(lead.position),
+                viewport.px(lead.radius * (hovered ? 2.0 : 1.7)), viewport.px(hovered ? 2.4 : 1.4),
+                color);
 }
 
-Rect shoot_button(const View& view, const Rect& footer) {
-  Rect rest = footer.inset(view.px(16), view.px(4));
-  if (view.narrow()) rest.cut_top(rest.h / 2);
-  return rest.cut_left(view.px(112));
-}
-
-void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
-                 const Words& words, const std::string& hint, Color color, bool practice,
-                 bool shoot) {
+void draw_footer(Canvas& canvas, const Rect& area, const Footer& footer, const Words& words) {
+  const View& view = canvas.view;
   Rect rest = area.inset(canvas.px(16), canvas.px(4));
-  if (aim && aim->active()) {
-    const Rect meter = strength_meter(canvas.view, area);
-    if (canvas.view.narrow())
-      rest.cut_top(meter.h);
+  if (footer.aim && footer.aim->active()) {
+    const Rect meter = strength_meter(view, area);
+    const Rect numbers = strength_column(view, area);
+    if (view.narrow())
+      rest.cut_top(numbers.h);
     else
-      rest.cut_right(meter.w + canvas.px(16));
-    if (entry)
-      entry->draw(canvas, meter, words);
+      rest.cut_right(numbers.w + canvas.px(16));
+    if (footer.entry)
+      footer.entry->draw(canvas, numbers, words);
     else
-      draw_meter(canvas, meter, *aim, words, practice);
+      draw_meter(canvas, meter, numbers, footer, words);
   }
-  if (shoot) {
-    const Rect box = shoot_button(canvas.view, area);
+  if (footer.shoot) {
+    const Rect box = shoot_button(view, area);
     rest.cut_left(box.w + canvas.px(12));
     Buttons button({{0, words(Text::shoot), words(Text::tip_shoot)}}, 0);
-    button.place(canvas.view, 0, box);
+    button.place(view, 0, box);
     button.draw(canvas, 18);
   }
+  if (footer.fine) {
+    const Rect box = fine_field(view, area);
+    draw_fine_field(canvas, box, words);
+    rest.w = std::max(box.x - canvas.px(12) - rest.x, 0.0f);
+  }
   // In the window's middle, where it stands without a meter, if it fits there.
-  const TextStyle style{Face::regular, 18, color, Align::center};
+  const TextStyle style{Face::regular, 18, footer.color, Align::center};
+  const float width = label_width(canvas, style, footer.hint);
+  if (footer.fine && width > rest.w) return;
   const Point middle{area.center().x, rest.center().y};
   const float half = std::min(middle.x - rest.x, rest.right() - middle.x);
-  if (label_width(canvas, style, hint) <= 2 * half) rest = centered(middle, 2 * half, rest.h);
-  label(canvas, rest, style, hint);
+  if (width <= 2 * half) rest = centered(middle, 2 * half, rest.h);
+  label(canvas, rest, style, footer.hint);
 }
 
 }  // namespace app

@@ -18,18 +18,23 @@ void draw_aim(DrawList& list, const Viewport& viewport, const carom::World& worl
 /// The sling from the lead to where it is pulled, window px.
 void draw_sling(DrawList& list, const Viewport& viewport, const carom::Ball& lead, Point to);
 
-/// Where the strength stands in a footer, window px: the whole width means 0 to the greatest.
-Rect strength_meter(const View& view, const Rect& footer);
+/// A ring around the lead; it opens up under the pointer.
+void draw_invitation(DrawList& list, const Viewport& viewport, const carom::Ball& lead,
+                     bool hovered, Color color);
 
-/// Where a finger launches in a footer, window px.
-Rect shoot_button(const View& view, const Rect& footer);
-
-/// The line below the world: what the player can do now, and while a launch is aimed its angle and
-/// strength in numbers and on a bar up to the greatest, or in their place the fields of `entry`. In
-/// practice the strength is a speed in px/s, otherwise a share of the greatest. `shoot`: the button
-/// is there.
-void draw_footer(Canvas& canvas, const Rect& area, const Aim* aim, const AimEntry* entry,
-                 const Words& words, const std::string& hint, Color color, bool practice,
-                 bool shoot);
+/// The line below the world.
+struct Footer {
+  const Aim* aim = nullptr;         ///< what is aimed
+  const AimEntry* entry = nullptr;  ///< fields, in place of the numbers
+  std::string hint;                 ///< what the player can do now
+  Color color;                      ///< of the hint
+  bool practice = false;  ///< the strength is a speed in px/s, else a share of the greatest
+  bool slides = false;    ///< the bar of the strength can be held
+  bool shoot = false;     ///< the button that launches is there
+  bool fine = false;      ///< the field for small steps is there
+};
+/// While a launch is aimed its angle and strength in numbers and on a bar up to the greatest, and
+/// what sets them; beside them the hint, where there is room for it.
+void draw_footer(Canvas& canvas, const Rect& area, const Footer& footer, const Words& words);
 
 }  // namespace app

@@ -10,8 +10,8 @@ namespace app {
 BilliardsBar::BilliardsBar(const Words& words) : words_(words) {}
 
 void BilliardsBar::resize(const View& view, const Rect& area) {
-  relabel(words_(Text::settings), words_(Text::restart), words_(Text::leave));
-  explain({words_(Text::tip_settings), words_(Text::tip_restart), words_(Text::tip_close)});
+  relabel(words_(Text::paused), words_(Text::restart), words_(Text::leave));
+  explain({words_(Text::tip_pause), words_(Text::tip_restart), words_(Text::tip_close)});
   const float gap = view.px(8);
   auto [row, rest] = place(view, area);
   if (view.narrow()) {
@@ -60,9 +60,22 @@ void BilliardsBar::draw_player(Canvas& canvas, const Content& content, int playe
           words_(on ? Text::to_play : Text::waiting));
 }
 
+/// In the place of the second player.
+void BilliardsBar::draw_shots(Canvas& canvas, int shots) const {
+  const Rect box = players_[1];
+  const float radius = canvas.px(10);
+  fill_rounded(canvas.list, box, radius, palette::panel);
+  stroke_rounded(canvas.list, box.inset(0.5f), radius, 1, palette::panel_edge);
+  draw_count(canvas, box, words_.number(shots), words_(Text::shots));
+}
+
 void BilliardsBar::draw(Canvas& canvas, const Content& content) const {
   draw_strip(canvas);
-  for (int player = 0; player < 2; ++player) draw_player(canvas, content, player);
+  draw_player(canvas, content, 0);
+  if (content.shots)
+    draw_shots(canvas, *content.shots);
+  else
+    draw_player(canvas, content, 1);
   draw_count(canvas, counts_[0], words_.number(content.balls_left), words_(Text::balls_left));
   draw_count(canvas, counts_[1], words_(Text::points, {words_.number(content.turn_points)}),
              words_(Text::this_turn));

@@ -15,6 +15,7 @@ class BilliardsBar : public UserBar {
     std::optional<int> on;  ///< whose turn it is; none when the game is over
     int balls_left = 0;
     std::int64_t turn_points = 0;
+    std::optional<int> shots{};  ///< of one who plays alone; none with two players
   };
 
   explicit BilliardsBar(const Words& words);
@@ -24,6 +25,8 @@ class BilliardsBar : public UserBar {
 
  private:
   void draw_player(Canvas& canvas, const Content& content, int player) const;
+
+  void draw_shots(Canvas& canvas, int shots) const;
 
   Words words_;
   std::array<Rect, 2> players_;

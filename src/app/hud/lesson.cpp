@@ -31,25 +31,31 @@ void draw_arrow(DrawList& list, Point from, Point to, float width) {
   fill(list, std::array{to, neck + across, neck - across}, palette::cream);
 }
 
-/// `by_hand`: the ball itself is taken.
+/// The ball and the place that is pointed at; the bar of the strength; the shot. `by_hand`: by
+/// pointer or finger.
 void draw_picture(Canvas& canvas, const Rect& box, int number, bool by_hand) {
   DrawList& list = canvas.list;
   const float r = std::min(box.h * 0.22f, box.w * 0.12f);
   const Point middle = box.center();
-  // The action is in the middle: the ball alone, with the hand, with its way.
-  const std::array aside{0.0f, 1.4f, -1.8f};
-  const Point ball = middle + Point{r * aside[static_cast<std::size_t>(number)], 0};
-  const Point hand = ball + Point{-r * 3.2f, r * 1.2f};
+  if (number == 1) {
+    const Point left = middle - Point{r * 3.2f, 0};
+    const Point knob = middle + Point{r * 0.8f, 0};
+    line(list, left, middle + Point{r * 3.2f, 0}, r * 0.6f, palette::panel_edge);
+    line(list, left, knob, r * 0.6f, palette::brass);
+    fill_disc(list, knob, r * 0.6f, palette::cream);
+    if (by_hand) draw_touch(list, knob + Point{r * 0.2f, r * 0.3f}, r * 0.7f);
+    return;
+  }
+  const Point ball = middle - Point{r * 1.8f, 0};
+  const Point there = ball + Point{r * 4.2f, -r * 0.6f};
+  const Point way = unit(there - ball);
   draw_ball_shadow(list, ball, r);
-  if (number == 1 && by_hand)
-    for (const float side : {-1.0f, 1.0f})
-      line(list, ball + Point{0, r * side * 0.9f}, hand, r * 0.2f, palette::brass);
   draw_ball(list, ball, r, BallKind::ivory);
-  if (number == 0 && by_hand) draw_touch(list, ball + Point{r * 0.2f, r * 0.3f}, r * 0.7f);
-  if (number == 1 && by_hand) draw_touch(list, hand, r * 0.7f);
-  if (number == 2) {
-    const Point way = unit(ball - hand);
-    draw_arrow(list, ball + way * (r * 1.4f), ball + way * (r * 4.2f), r * 0.3f);
+  if (number == 0) {
+    line(list, ball + way * (r * 1.4f), there, r * 0.15f, palette::cream);
+    if (by_hand) draw_touch(list, there, r * 0.7f);
+  } else {
+    draw_arrow(list, ball + way * (r * 1.4f), there, r * 0.3f);
   }
 }
 

@@ -16,8 +16,8 @@ constexpr int most_icons = 5;  ///< more throws than that are only a number
 LevelBar::LevelBar(const Words& words) : words_(words) {}
 
 void LevelBar::resize(const View& view, const Rect& area) {
-  relabel(words_(Text::settings), words_(Text::retry), words_(Text::menu));
-  explain({words_(Text::tip_settings), words_(Text::tip_restart), words_(Text::tip_close)});
+  relabel(words_(Text::paused), words_(Text::retry), words_(Text::menu));
+  explain({words_(Text::tip_pause), words_(Text::tip_restart), words_(Text::tip_close)});
   auto [row, rest] = place(view, area);
   if (view.narrow()) {
     name_ = row.cut_left(row.w * 0.54f);

@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 // In the order of UserBar::Command.
-enum Button : ButtonId { settings, restart, close };
+enum Button : ButtonId { pause, restart, close };
 
 constexpr float gear_width = 44;        ///< units
 constexpr float touch_gear_width = 52;  ///< units
@@ -31,13 +31,12 @@ void draw_gear(DrawList& list, Point center, float radius, Color color, Color gr
 
 }  // namespace
 
-UserBar::UserBar() : buttons_({{settings}, {restart}, {close}}) {}
+UserBar::UserBar() : buttons_({{pause}, {restart}, {close}}) {}
 
-void UserBar::relabel(std::string settings_label, std::string restart_label,
-                      std::string close_label) {
+void UserBar::relabel(std::string pause_label, std::string restart_label, std::string close_label) {
   buttons_.relabel(restart, std::move(restart_label));
   buttons_.relabel(close, std::move(close_label));
-  buttons_.relabel(settings, std::move(settings_label));
+  buttons_.relabel(pause, std::move(pause_label));
 }
 
 void UserBar::explain(std::array<std::string, 3> tips) {
@@ -51,7 +50,7 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   Rect rest = centered(area.center(), std::min(area.w, view.px(1120)), area.h).inset(gap);
   if (view.wide()) {
     for (const auto& [index, width] :
-         {std::pair{close, 104.0f}, {restart, 136.0f}, {settings, touch_gear_width}}) {
+         {std::pair{close, 104.0f}, {restart, 136.0f}, {pause, touch_gear_width}}) {
       buttons_.place(view, index, rest.cut_right(view.px(width)));
       rest.cut_right(gap);
     }
@@ -61,7 +60,7 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
     Rect column = rest.cut_right(view.px(view.touch ? 140 : 128));
     buttons_.place(view, restart, column.cut_top((column.h - gap / 2) / 2));
     column.cut_top(gap / 2);
-    buttons_.place(view, settings,
+    buttons_.place(view, pause,
                    column.cut_right(view.px(view.touch ? touch_gear_width : gear_width)));
     column.cut_right(gap / 2);
     buttons_.place(view, close, column);
@@ -76,7 +75,7 @@ UserBar::Room UserBar::place(const View& view, const Rect& area) {
   const float gear = view.px(view.touch ? touch_gear_width : gear_width);
   for (const auto& [index, width] : {std::pair{close, phone ? rest.w * 0.2f : button},
                                      {restart, phone ? rest.w * 0.285f : button},
-                                     {settings, gear}}) {
+                                     {pause, gear}}) {
     buttons_.place(view, index, rest.cut_right(width).inset(0, trim));
     rest.cut_right(gap);
   }
@@ -96,10 +95,10 @@ void UserBar::draw_strip(Canvas& canvas) const {
        palette::brass_dark);
   const bool large = buttons_.box(restart).h > canvas.px(56);
   for (const Button button : {restart, close}) buttons_.draw_one(canvas, button, large ? 20 : 16);
-  const Buttons::Look look = buttons_.draw_face(canvas, settings);
+  const Buttons::Look look = buttons_.draw_face(canvas, pause);
   draw_gear(canvas.list, look.box.center(), canvas.px(large ? 15 : 11), look.ink,
             palette::panel_lit);
-  buttons_.list_box(canvas.list, settings, buttons_.label_of(settings));
+  buttons_.list_box(canvas.list, pause, buttons_.label_of(pause));
 }
 
 void UserBar::draw_count(Canvas& canvas, const Rect& box, std::string_view value,

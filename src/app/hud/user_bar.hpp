@@ -9,11 +9,11 @@
 
 namespace app {
 
-/// The strip above the world (§1.1.4) with the buttons that restart and close the game and open
-/// the settings. What else stands in it is each game's own.
+/// The strip above the world (§1.1.4) with the buttons that restart and leave the game and open
+/// the pause menu. What else stands in it is each game's own.
 class UserBar {
  public:
-  enum class Command : std::uint8_t { settings, restart, close };
+  enum class Command : std::uint8_t { pause, restart, close };
 
   std::optional<Command> event(const Input& input, Sounds& sounds);
   /// A click here is a button's business; elsewhere in the bar it may end a drag.
@@ -29,7 +29,7 @@ class UserBar {
   };
 
   UserBar();
-  void relabel(std::string settings, std::string restart, std::string close);
+  void relabel(std::string pause, std::string restart, std::string close);
   /// In the order of Command.
   void explain(std::array<std::string, 3> tips);
   Room place(const View& view, const Rect& area);

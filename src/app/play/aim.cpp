@@ -57,9 +57,4 @@ bool Aim::capped() const {
 
 bool Aim::too_weak() const { return speed() < carom::rest_speed; }
 
-carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 target) {
-  constexpr double length = 100;  // px
-  return length * carom::unit(target - from);
-}
-
 }  // namespace app

@@ -52,7 +52,4 @@ class Aim {
   std::optional<carom::Vec2> exact_;  ///< px
 };
 
-/// Where the keys start on a lead at `from`: 500 px/s towards `target` (px).
-carom::Vec2 first_aim(carom::Vec2 from, carom::Vec2 target);
-
 }  // namespace app

@@ -1,5 +1,7 @@
 #include "app/play/game_speed.hpp"
 
+#include <algorithm>
+
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
@@ -46,7 +48,10 @@ Speed GameSpeed::pass(nanoseconds elapsed) {
   if (pressed_) *pressed_ += elapsed;
   // Who is in a hurry does not want it.
   if (fast_ || (pressed_ && *pressed_ > touch_time)) return fast_forward;
-  return slow ? slow_motion : real_speed;
+  if (slow || !easing_) return slow ? slow_motion : real_speed;
+  eased_ = std::min(eased_ + elapsed, ease_time);
+  const auto more = (eased_quarters - real_speed.quarters) * eased_ / ease_time;
+  return {real_speed.quarters + static_cast<int>(more)};
 }
 
 void GameSpeed::draw_veil(Canvas& canvas, const Rect& area, const Words& words) const {

@@ -16,6 +16,9 @@ class GameSpeed {
  public:
   /// A decisive moment is shown slowly for so long, real time.
   static constexpr nanoseconds slow_time = milliseconds{1500};
+  /// Where nothing more will happen, the game is at its quickest after so long, real time.
+  static constexpr nanoseconds ease_time = milliseconds{800};
+  static constexpr int eased_quarters = 16;  ///< then, of Speed
   /// So long a press is a touch like any other, not yet one that is held.
   static constexpr nanoseconds touch_time = milliseconds{250};
 
@@ -27,6 +30,11 @@ class GameSpeed {
   bool paused() const { return paused_; }
   /// Slow from now on; at most once a game.
   void decisive();
+  /// Nothing more will happen in this launch: it passes more and more quickly.
+  void ease(bool on) {
+    if (!on) eased_ = nanoseconds{0};
+    easing_ = on;
+  }
   void new_game() { *this = {}; }
   /// The speed of a frame that takes `elapsed`.
   Speed pass(nanoseconds elapsed);
@@ -40,6 +48,8 @@ class GameSpeed {
   std::optional<nanoseconds> pressed_;  ///< for how long, while the balls are watched
   bool was_slow_ = false;               ///< in this game
   nanoseconds slow_left_{};
+  bool easing_ = false;
+  nanoseconds eased_{};  ///< for how long
 };
 
 }  // namespace app

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "app/graphics/shapes.hpp"
 #include "games/launch.hpp"
 
 namespace app {
 namespace {
 
-constexpr double grab_margin = 8;  ///< world px around the lead
-constexpr float grab_least = 22;   ///< units, the least radius of the target
-constexpr float still = 6;         ///< units; a hand that rests moves less
-constexpr float least_room = 24;   ///< units, of a pull
+constexpr float grab_reach = 44;  ///< points of the screen around the lead's centre
+constexpr float still = 6;        ///< units; a hand that rests moves less
 
+/// px/s a point: in all windows 400 points are the greatest speed, whatever room there is.
+constexpr double pull_speed = 5;
+constexpr double finest_degrees = 0.01;
 constexpr double fine_degrees = 0.1;
 constexpr double fine_speed = 1;  ///< px/s
 constexpr double key_degrees = 1;
@@ -24,30 +23,22 @@ constexpr double stick_degrees = 120;                        ///< a second
 constexpr double stick_speed = 1500;                         ///< px/s a second
 constexpr double charge_rate = games::max_launch_speed / 2;  ///< px/s a second
 
-/// How far one can go from a point inside the window along `way` (a unit vector), px.
-float room(Point from, Point way, const Rect& window) {
-  constexpr float endless = std::numeric_limits<float>::infinity();
-  const float across = way.x > 0   ? (window.right() - from.x) / way.x
-                       : way.x < 0 ? (window.x - from.x) / way.x
-                                   : endless;
-  const float down = way.y > 0   ? (window.bottom() - from.y) / way.y
-                     : way.y < 0 ? (window.y - from.y) / way.y
-                                 : endless;
-  return std::min(across, down);
-}
+bool pulls(AimWay way) { return way == AimWay::pull || way == AimWay::apart; }
 
-/// The drag of a pull: away from it, 1 world px for each, so that a pull is as long as two clicks
-/// would be apart. Where the window ends before the greatest speed is reached, each counts for
-/// more, and the window's edge is the greatest speed.
+/// The drag of a pull: away from it, by its length in points of the screen.
 carom::Vec2 slung(Point from, Point to, const Launcher::Stage& stage) {
   const Point pull = to - from;
-  const double longest = games::max_launch_speed / games::launch_factor;
-  const float reach = std::min(
-      stage.viewport.px(longest),
-      std::max(room(from, unit(pull), stage.view.area().inset(2)), stage.view.px(least_room)));
-  const double factor = longest / static_cast<double>(reach);
+  const double factor = pull_speed / games::launch_factor / static_cast<double>(stage.view.density);
   return stage.viewport.seen_as(
       {-static_cast<double>(pull.x) * factor, static_cast<double>(pull.y) * factor});
+}
+
+AimDrag::Place place_of(const Launcher::Stage& stage) {
+  return {.viewport = stage.viewport,
+          .view = stage.view,
+          .lead = stage.lead.position,
+          .fine = stage.fine,
+          .meter = stage.meter};
 }
 
 }  // namespace
@@ -61,12 +52,14 @@ void Launcher::begin() {
 void Launcher::show(const Aim& launch) {
   aim = launch;
   grip_ = Grip::none;
+  drag_.reset();
 }
 
 void Launcher::cancel() {
   aim.cancel();
   entry.reset();
   grip_ = Grip::none;
+  drag_.reset();
   charging_ = false;
 }
 
@@ -93,7 +86,10 @@ Launcher::Outcome Launcher::event(const Input& input, const Stage& stage) {
     return Outcome::taken;
   }
   if (std::holds_alternative<PointerCancelled>(input)) {
-    cancel();
+    if (drag_)  // what was aimed before is no part of it
+      show(drag_->before());
+    else
+      cancel();
     return Outcome::untouched;
   }
   if (const auto* steered = std::get_if<Steered>(&input)) {
@@ -127,13 +123,24 @@ Launcher::Outcome Launcher::event(const Input& input, const Stage& stage) {
     return Outcome::taken;
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&input)) {
-    if (!aim.active() && stage.way != AimWay::turn) return Outcome::untouched;
+    if (!aim.active() && (stage.way == AimWay::clicks || stage.way == AimWay::pull))
+      return Outcome::untouched;
     begin();
-    aim.strengthen(notch_speed * static_cast<double>(wheel->notches));
+    turn_wheel(static_cast<double>(wheel->notches), stage);
     edited();
     return Outcome::taken;
   }
   return Outcome::untouched;
+}
+
+/// Where angle and strength are apart, a wheel is for the smallest steps.
+void Launcher::turn_wheel(double notches, const Stage& stage) {
+  if (stage.way != AimWay::apart)
+    aim.strengthen(notch_speed * notches);
+  else if (stage.meter.contains(pointer_))
+    aim.strengthen(fine_speed * notches);
+  else
+    aim.turn(finest_degrees * notches);
 }
 
 Launcher::Outcome Launcher::key(const KeyPressed& key, const Stage& stage) {
@@ -151,7 +158,7 @@ Launcher::Outcome Launcher::key(const KeyPressed& key, const Stage& stage) {
     return Outcome::taken;
   }
   const bool fine = key.shift || key.ctrl;
-  const double degrees = fine ? fine_degrees : key_degrees;
+  const double degrees = key.ctrl ? finest_degrees : key.shift ? fine_degrees : key_degrees;
   const double speed = fine ? fine_speed : key_speed;
   const auto edit = [&](double turn, double strengthen) {
     begin();
@@ -208,19 +215,31 @@ Launcher::Outcome Launcher::touch_to_turn(Point at, bool on_lead, const Stage& s
   return Outcome::taken;
 }
 
-Launcher::Outcome Launcher::press(Point at, bool touch, const Stage& stage) {
-  if (stage.on_button) return Outcome::untouched;
-  entry.reset();
-  if (stage.way == AimWay::turn && grip_ != Grip::clicked && stage.meter.contains(at)) {
-    begin();
-    grip_ = Grip::sliding;
-    move(at, stage);
-    return Outcome::taken;
-  }
+Launcher::Outcome Launcher::hold(AimDrag::On on, Point at, const Stage& stage) {
+  drag_.emplace(on, at, aim);
+  begin();
+  drag_->move(at, aim, place_of(stage));
+  return Outcome::taken;
+}
+
+/// A press on what is shown below the world. Untouched if there is nothing.
+Launcher::Outcome Launcher::press_control(Point at, bool touch, const Stage& stage) {
+  const bool slides = stage.way == AimWay::turn || (stage.way == AimWay::apart && aim.active());
+  if (slides && (grip_ != Grip::clicked || touch) && stage.meter.contains(at))
+    return hold(AimDrag::On::meter, at, stage);
+  if (offers_fine(stage.way) && stage.fine.contains(at)) return hold(AimDrag::On::fine, at, stage);
   if (offers_shot(stage.way, touch) && stage.shoot.contains(at)) {
     if (stage.sounds) stage.sounds->note({SoundKind::click});
     return launch();
   }
+  return Outcome::untouched;
+}
+
+Launcher::Outcome Launcher::press(Point at, bool touch, const Stage& stage) {
+  if (stage.on_button) return Outcome::untouched;
+  entry.reset();
+  if (const Outcome outcome = press_control(at, touch, stage); outcome != Outcome::untouched)
+    return outcome;
   const bool takes = on_lead(stage.lead, at, stage.viewport, stage.view);
   if (touch && stage.way == AimWay::turn && grip_ != Grip::clicked)
     return touch_to_turn(at, takes, stage);
@@ -228,7 +247,7 @@ Launcher::Outcome Launcher::press(Point at, bool touch, const Stage& stage) {
     move(at, stage);
     const Outcome outcome = launch();
     // Too near for a second click, it may be the start of a pull.
-    if (refused_ && takes && stage.way == AimWay::pull) {
+    if (refused_ && takes && pulls(stage.way)) {
       grip_ = Grip::pressed;
       from_ = stage.viewport.to_world(at);
     }
@@ -239,19 +258,25 @@ Launcher::Outcome Launcher::press(Point at, bool touch, const Stage& stage) {
     aim.set({});
     from_ = stage.viewport.to_world(at);
     rests_.reset();
-    grip_ = stage.way == AimWay::pull ? Grip::pressed : Grip::clicked;
+    grip_ = pulls(stage.way) ? Grip::pressed : Grip::clicked;
     return Outcome::taken;
   }
+  if (stage.way == AimWay::apart && stage.world.contains(at))
+    return hold(AimDrag::On::world, at, stage);
   if (stage.way == AimWay::turn && stage.world.contains(at)) {
     move(at, stage);
     return launch();
   }
-  missed_ = !aim.active();
+  missed_ = stage.way != AimWay::apart && !aim.active();
   return Outcome::untouched;
 }
 
 void Launcher::move(Point at, const Stage& stage) {
   pointer_ = at;
+  if (drag_) {
+    drag_->move(at, aim, place_of(stage));
+    return;
+  }
   // A pointer that is left where it was does not undo what a key did.
   if (rests_ && length(at - *rests_) <= stage.view.px(still)) return;
   rests_.reset();
@@ -264,14 +289,9 @@ void Launcher::move(Point at, const Stage& stage) {
     case Grip::pulling:
       aim.set(slung(from, at, stage));
       return;
-    case Grip::sliding:
-      aim.set_speed(games::max_launch_speed *
-                    static_cast<double>((at.x - stage.meter.x) / std::max(stage.meter.w, 1.0f)));
-      return;
     case Grip::pressed:
       return;
-    case Grip::none:
-    case Grip::turning:
+    default:
       break;
   }
   // Not on the way to a button or the meter.
@@ -284,13 +304,16 @@ void Launcher::move(Point at, const Stage& stage) {
 }
 
 Launcher::Outcome Launcher::release(Point at, const Stage& stage) {
+  if (drag_) {
+    drag_->release(at, aim, place_of(stage));
+    drag_.reset();
+    grip_ = stage.way == AimWay::apart ? Grip::apart : Grip::turning;
+    edited();
+    return Outcome::taken;
+  }
   switch (grip_) {
     case Grip::pressed:
       grip_ = Grip::clicked;
-      return Outcome::taken;
-    case Grip::sliding:
-      grip_ = Grip::turning;
-      edited();
       return Outcome::taken;
     case Grip::pulling: {
       move(at, stage);
@@ -322,76 +345,21 @@ Launcher::Stance Launcher::stance() const {
     case Grip::pulling:
       return Stance::pulling;
     case Grip::turning:
-    case Grip::sliding:
+    case Grip::apart:
       return Stance::turning;
     case Grip::none:
       break;
   }
-  return Stance::by_keys;
+  return drag_ ? Stance::turning : Stance::by_keys;
 }
 
 std::optional<Point> Launcher::pulled_to() const {
   return grip_ == Grip::pulling ? std::optional(pointer_) : std::nullopt;
 }
 
-carom::Vec2 nearest(const carom::World& world, carom::Role role, carom::Vec2 from,
-                    carom::Vec2 other) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    const carom::Ball ball = world.ball(i);
-    const double distance = carom::length_squared(ball.position - from);
-    if (ball.role != role || !world.in_play(i) || distance >= least) continue;
-    least = distance;
-    other = ball.position;
-  }
-  return other;
-}
-
-Text aim_hint(const Launcher& launcher, AimWay way, bool touch, const AimHints& hints) {
-  if (launcher.offers_shot(way, touch)) return Text::hint_touch_shoot;
-  if (launcher.refused()) return Text::hint_too_weak;
-  switch (launcher.stance()) {
-    case Launcher::Stance::idle:
-      if (launcher.missed()) return hints.missed;
-      return way == AimWay::clicks ? hints.take
-             : way == AimWay::pull ? Text::hint_pull
-                                   : Text::hint_turn;
-    case Launcher::Stance::clicked:
-      return hints.send;
-    case Launcher::Stance::pulling:
-      return Text::hint_let_go;
-    case Launcher::Stance::turning:
-      return Text::hint_turn;
-    case Launcher::Stance::by_keys:
-      return Text::hint_keys;
-    case Launcher::Stance::entering:
-      return Text::hint_entry;
-  }
-  return hints.take;
-}
-
-Text nudge(AimWay way) {
-  switch (way) {
-    case AimWay::clicks:
-      return Text::nudge_click;
-    case AimWay::pull:
-      return Text::nudge_pull;
-    case AimWay::turn:
-      break;
-  }
-  return Text::nudge_turn;
-}
-
 bool on_lead(const carom::Ball& lead, Point at, const Viewport& viewport, const View& view) {
-  const float reach = std::max(viewport.px(lead.radius + grab_margin), view.px(grab_least));
+  const float reach = std::max(viewport.px(lead.radius), grab_reach * view.density);
   return length(at - viewport.to_window(lead.position)) <= reach;
-}
-
-void draw_invitation(DrawList& list, const Viewport& viewport, const carom::Ball& lead,
-                     bool hovered, Color color) {
-  stroke_circle(list, viewport.to_window(lead.position),
-                viewport.px(lead.radius * (hovered ? 2.0 : 1.7)), viewport.px(hovered ? 2.4 : 1.4),
-                color);
 }
 
 }  // namespace app

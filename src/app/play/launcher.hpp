@@ -8,13 +8,12 @@
 #include "app/graphics/view.hpp"
 #include "app/input/input.hpp"
 #include "app/play/aim.hpp"
+#include "app/play/aim_drag.hpp"
 #include "app/play/aim_entry.hpp"
 #include "app/play/clock.hpp"
 #include "app/storage/aim_settings.hpp"
-#include "app/text/text.hpp"
 #include "app/view/viewport.hpp"
 #include "carom/scene.hpp"
-#include "carom/world.hpp"
 
 namespace app {
 
@@ -30,7 +29,8 @@ class Launcher {
     Rect world;  ///< window px, where the world is shown
     Rect meter;  ///< window px, the bar of the strength (strength_meter)
     Rect shoot;  ///< window px, the button that launches (shoot_button)
-    AimWay way = AimWay::pull;
+    Rect fine;   ///< window px, the field for small steps (fine_field)
+    AimWay way = AimWay::apart;
     bool on_button = false;        ///< the pointer is on a button
     bool focus_elsewhere = false;  ///< a button has the keyboard's focus
     Sounds* sounds = nullptr;      ///< where the button that launches clicks
@@ -51,7 +51,7 @@ class Launcher {
   bool charging() const { return charging_; }
   /// A button or key is held, and letting go of it will do something.
   bool held() const {
-    return charging_ || grip_ == Grip::pressed || grip_ == Grip::pulling || grip_ == Grip::sliding;
+    return charging_ || drag_ || grip_ == Grip::pressed || grip_ == Grip::pulling;
   }
   /// Shows a launch, to be edited.
   void show(const Aim& launch);
@@ -70,10 +70,14 @@ class Launcher {
   bool missed() const { return missed_; }
   /// The last launch tried was too weak to move the ball.
   bool refused() const { return refused_; }
-  /// The button that launches is there: for a finger, which turns and then is lifted.
+  /// The button that launches is there: where the pointer only turns, and for a finger, which turns
+  /// and then is lifted.
   bool offers_shot(AimWay way, bool touch) const {
-    return touch && way == AimWay::turn && aim.active() && grip_ != Grip::clicked;
+    return (way == AimWay::apart || (way == AimWay::turn && touch)) && aim.active() &&
+           grip_ != Grip::clicked && grip_ != Grip::pressed && grip_ != Grip::pulling;
   }
+  /// So is the field for small steps.
+  bool offers_fine(AimWay way) const { return way == AimWay::apart && offers_shot(way, false); }
   /// While the lead is pulled: where to, window px.
   std::optional<Point> pulled_to() const;
 
@@ -87,10 +91,13 @@ class Launcher {
     pressed,  ///< the button went down at from_, and the pointer has not moved
     pulling,
     turning,
-    sliding,  ///< the button is held on the meter
+    apart,  ///< drags have set it
   };
   Outcome key(const KeyPressed& key, const Stage& stage);
   Outcome press(Point at, bool touch, const Stage& stage);
+  Outcome press_control(Point at, bool touch, const Stage& stage);
+  Outcome hold(AimDrag::On on, Point at, const Stage& stage);
+  void turn_wheel(double notches, const Stage& stage);
   Outcome touch_to_turn(Point at, bool on_lead, const Stage& stage);
   void move(Point at, const Stage& stage);
   Outcome release(Point at, const Stage& stage);
@@ -104,6 +111,7 @@ class Launcher {
   carom::Vec2 from_;  ///< world px, where the lead was taken
   Point pointer_;
   std::optional<Point> rests_;  ///< where the pointer was when a key edited the aim
+  std::optional<AimDrag> drag_;
   bool charging_ = false;
   bool falling_ = false;  ///< the charge is on its way down
   bool missed_ = false;
@@ -117,26 +125,7 @@ auto* aim_in(State& state) {
   return launcher && launcher->aim.active() ? &launcher->aim : nullptr;
 }
 
-/// The ball of a role that is nearest to `from`; `other` if there is none.
-carom::Vec2 nearest(const carom::World& world, carom::Role role, carom::Vec2 from,
-                    carom::Vec2 other);
-
-/// A game's own words for taking its lead, for a click beside it, and for the second click.
-struct AimHints {
-  Text take;
-  Text missed;
-  Text send;
-};
-/// Hint at the next thing to do.
-Text aim_hint(const Launcher& launcher, AimWay way, bool touch, const AimHints& hints);
-/// Hint for a player who does nothing.
-Text nudge(AimWay way);
-
-/// Is true if a click there takes the lead. It is small: next to it will do.
+/// Is true if a press there takes the lead. It is small: next to it will do.
 bool on_lead(const carom::Ball& lead, Point at, const Viewport& viewport, const View& view);
-
-/// A ring around the lead; it opens up under the pointer.
-void draw_invitation(DrawList& list, const Viewport& viewport, const carom::Ball& lead,
-                     bool hovered, Color color);
 
 }  // namespace app

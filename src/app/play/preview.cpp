@@ -13,10 +13,11 @@ using carom::EventKind;
 /// Goes along with a world and notes down the ways of two balls.
 class Follower {
  public:
-  Follower(const carom::World& world, PreviewLength length, Preview& preview)
+  Follower(const carom::World& world, PreviewLength length, int brief, Preview& preview)
       : world_(world),
         preview_(preview),
         length_(length),
+        brief_(brief),
         lead_(world.ball(0).id),
         dotted_(world.scene().gravity > 0) {
     preview_.lead.push_back({world.ball(0).position, 0});
@@ -45,7 +46,7 @@ class Follower {
     if (world_.at_rest() || game_over_) return true;
     const bool turn_over = lead_gone_ && world_.ball(0).role == carom::Role::cue;
     if (length_ == PreviewLength::full) return turn_over || step_ >= full_steps;
-    if (turn_over || step_ >= brief_steps) return true;
+    if (turn_over || step_ >= brief_) return true;
     if (length_ == PreviewLength::contact && preview_.ghost) return true;
     const bool dots_to_come = dotted_ && !lead_gone_ && step_ < dotted_steps;
     return !on_lead_ && !on_target_ && !dots_to_come;
@@ -129,6 +130,7 @@ class Follower {
   const carom::World& world_;
   Preview& preview_;
   PreviewLength length_;
+  int brief_;
   std::uint32_t lead_;
   bool dotted_;
   int step_ = 0;
@@ -143,10 +145,10 @@ class Follower {
 
 }  // namespace
 
-Preview look_ahead(carom::World world, carom::Vec2 drag, PreviewLength length) {
+Preview look_ahead(carom::World world, carom::Vec2 drag, PreviewLength length, int brief) {
   Preview preview;
   if (length == PreviewLength::off || !games::launch(world, drag)) return preview;
-  Follower follower(world, length, preview);
+  Follower follower(world, length, brief, preview);
   do follower.note(world.step());
   while (!follower.done());
   return preview;
@@ -155,11 +157,13 @@ Preview look_ahead(carom::World world, carom::Vec2 drag, PreviewLength length) {
 const Preview& Previewer::of(const carom::World& world, const Aim& aim, const AimSettings& settings,
                              bool practice) {
   PreviewLength length = settings.preview;
+  const bool dots_only = world.scene().gravity > 0 && length != PreviewLength::full;
   if (length == PreviewLength::full && !practice) length = PreviewLength::brief;
   if (aim.too_weak()) length = PreviewLength::off;
-  const Question asked{world.state_hash(), aim.drag(), length};
+  const Question asked{world.state_hash(), aim.drag(), length,
+                       dots_only ? dotted_steps : brief_steps};
   if (answered_ == asked) return preview_;
-  preview_ = look_ahead(world, asked.drag, length);
+  preview_ = look_ahead(world, asked.drag, length, asked.brief);
   answered_ = asked;
   ++made_;
   return preview_;

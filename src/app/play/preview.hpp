@@ -40,16 +40,18 @@ struct Preview {
 
 /// Plays the launch by `drag` (px) in a copy of the world; empty for a drag that launches nothing.
 /// Looks ahead no further than `length` asks, never further than a turn: contact and brief stop
-/// after brief_steps, full after full_steps, all when a turn would be over (all at rest, the cue
+/// after `brief` steps, full after full_steps, all when a turn would be over (all at rest, the cue
 /// ball pocketed, the last red or enemy gone). brief follows both balls from their contact to what
 /// each of them meets next.
-Preview look_ahead(carom::World world, carom::Vec2 drag, PreviewLength length);
+Preview look_ahead(carom::World world, carom::Vec2 drag, PreviewLength length,
+                   int brief = brief_steps);
 
 /// Remembers the last preview, and makes another only when it is asked for something else.
 class Previewer {
  public:
   /// Of a launch in a world that waits for it, as long as the player wants it; empty for an aim
-  /// that is too weak. Good until the next call.
+  /// that is too weak. With gravity it ends with the dots, unless the player wants the full one.
+  /// Good until the next call.
   const Preview& of(const carom::World& world, const Aim& aim, const AimSettings& settings,
                     bool practice);
   /// Number of previews made.
@@ -60,6 +62,7 @@ class Previewer {
     std::uint64_t state = 0;
     carom::Vec2 drag;
     PreviewLength length{};
+    int brief = brief_steps;
     friend bool operator==(const Question&, const Question&) = default;
   };
   std::optional<Question> answered_;

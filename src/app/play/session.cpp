@@ -20,11 +20,17 @@ void speak(const Session& session, Words& words) {
     session.host.fetch_texts(language);
 }
 
-games::billiards::Options options_of(const Session& session, bool alone) {
-  if (alone) return {.alone = true};
+games::billiards::Options options_of(const Session& session, bool practice) {
+  if (practice) return {.alone = true};
   const Settings& settings = session.settings.get();
-  return {.first_player = first_player(settings.breaks, session.last_game),
-          .keep_turn = settings.keep_turn};
+  games::billiards::Options options{.touch_red = settings.touch_red, .rack = settings.rack};
+  if (settings.seats == Seats::alone) {
+    options.alone = true;
+  } else {
+    options.first_player = first_player(settings.breaks, session.last_game);
+    options.keep_turn = settings.keep_turn;
+  }
+  return options;
 }
 
 Pasted read_pasted(const Session& session) {

@@ -7,6 +7,7 @@
 #include "app/audio/sound.hpp"
 #include "app/input/key_bindings.hpp"
 #include "app/storage/aim_settings.hpp"
+#include "app/storage/alone_best.hpp"
 #include "app/storage/campaign.hpp"
 #include "app/storage/clipboard.hpp"
 #include "app/storage/host_environment.hpp"
@@ -26,6 +27,7 @@ struct Session {
   /// Store and clipboard must outlive this.
   Session(Store& store, Clipboard& shared, std::vector<Level> levels, HostEnvironment where = {})
       : campaign{std::move(levels), BestScores(store), 0},
+        alone(store),
         kept(store),
         saved(store),
         settings(store),
@@ -43,6 +45,7 @@ struct Session {
   bool teaches() const { return teach && settings.get().hints; }
 
   Campaign campaign;
+  AloneBest alone;
   KeptGames kept;
   SavedReplays saved;
   KeptSettings settings;
@@ -55,15 +58,16 @@ struct Session {
   bool system_reduced_motion = false;     ///< what the desktop or browser asks for
   HostEnvironment host;
   Keyboard keyboard;
-  bool teach = false;  ///< how to shoot is not known yet
+  int needless_clicks = 0;  ///< for a next throw, where nothing could change any more
+  bool teach = false;       ///< how to shoot is not known yet
 };
 
 /// The language to speak now.
 Language language_of(const Session& session);
 /// Makes `words` speak it, once its texts are there.
 void speak(const Session& session, Words& words);
-/// Options of a new game of billiards; `alone`: for practice.
-games::billiards::Options options_of(const Session& session, bool alone);
+/// Options of a new game of billiards; `practice`: for one who practises.
+games::billiards::Options options_of(const Session& session, bool practice);
 
 /// The clipboard's content. Neither a replay nor a fault: it comes later, with Key::paste.
 struct Pasted {

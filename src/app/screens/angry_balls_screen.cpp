@@ -4,6 +4,7 @@
 
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
+#include "app/play/first_aim.hpp"
 #include "app/view/level_view.hpp"
 
 namespace app {
@@ -13,6 +14,8 @@ namespace angry_balls = games::angry_balls;
 using angry_balls::Phase;
 
 constexpr nanoseconds epilogue_time = milliseconds{1200};
+constexpr nanoseconds go_on_after = milliseconds{1500};
+constexpr int needless_clicks = 3;           ///< before a player is asked
 constexpr double trace_spacing = 0.016;      ///< of the level's width, between the dots
 constexpr std::size_t longest_trace = 1000;  ///< dots
 
@@ -76,11 +79,7 @@ bool AngryBallsScreen::continues() const {
 }
 
 carom::Vec2 AngryBallsScreen::first_drag() const {
-  const carom::Scene& level = game().level();
-  const carom::Vec2 from = game().launch_place();
-  const carom::Vec2 enemy =
-      nearest(game().world(), carom::Role::enemy, from, {level.width / 2, level.height / 2});
-  return played_.last_drag().value_or(first_aim(from, {enemy.x, level.height / 2}));
+  return played_.last_drag().value_or(first_aim(game().world(), carom::Role::enemy));
 }
 
 void AngryBallsScreen::after_step() {
@@ -130,8 +129,42 @@ Over AngryBallsScreen::ending() {
 AngryBallsScreen::Handled AngryBallsScreen::waiting_event(NextOffer& offer, const Input& input) {
   if (!offer.event(input, focus_elsewhere(), on_button(), session_.sounds)) return std::nullopt;
   blur();
-  if (played_.apply(angry_balls::Next{})) happened();
+  if (stillness_.still()) ++session_.needless_clicks;
+  take_next();
   return Stay{};
+}
+
+void AngryBallsScreen::take_next() {
+  if (played_.apply(angry_balls::Next{})) happened();
+}
+
+void AngryBallsScreen::pass_waiting(nanoseconds elapsed) {
+  stillness_.look(game().world());
+  if (!stillness_.still()) return;
+  still_for_ += elapsed;
+  if (session_.settings.get().go_on && still_for_ >= go_on_after) take_next();
+}
+
+/// Once, a player who clicks where nothing can change any more is asked.
+std::optional<Ask> AngryBallsScreen::own_window() {
+  const Settings& settings = session_.settings.get();
+  const bool between = game().phase() == Phase::aim && game().throws_left() < game().level().throws;
+  if (settings.go_on || settings.go_on_offered || !between ||
+      session_.needless_clicks < needless_clicks)
+    return std::nullopt;
+  Settings told = settings;
+  told.go_on_offered = true;
+  session_.settings.set(std::move(told));
+  return Ask{.dialog = Dialog(words_(Text::ask_go_on), {{words_(Text::ask_go_on_line), {}, {}}},
+                              {{yes, words_(Text::yes), words_(Text::tip_go_on)},
+                               {no, words_(Text::no), words_(Text::tip_go_on)}}),
+             .line = state_line(words_(Text::ask_go_on))};
+}
+
+void AngryBallsScreen::own_answer(ButtonId button) {
+  Settings settings = session_.settings.get();
+  settings.go_on = button == yes;
+  session_.settings.set(std::move(settings));
 }
 
 Buttons* AngryBallsScreen::waiting_buttons() {
@@ -182,14 +215,12 @@ void AngryBallsScreen::draw_bar(Canvas& canvas) const {
                Paint::vertical(layout_.footer, palette::slate_top, palette::slate_bottom));
 }
 
-/// Where the last throw went.
+/// Where the last throw went: dashes, dark and thin, as the next throw's dots are round and light.
 void AngryBallsScreen::draw_ground(Canvas& canvas) const {
-  const float radius = std::max(viewport().px(2.6), 1.5f);
-  for (const carom::Vec2 at : trace_) {
-    const Point c = viewport().to_window(at);
-    fill_disc(canvas.list, c, radius + 1, faded(palette::ink, 0.35f));
-    fill_disc(canvas.list, c, radius, faded(palette::cream, 0.8f));
-  }
+  const float width = std::max(viewport().px(2), 1.5f);
+  for (std::size_t i = 1; i < trace_.size(); i += 2)
+    line(canvas.list, viewport().to_window(trace_[i - 1]), viewport().to_window(trace_[i]), width,
+         faded(palette::ink, 0.55f));
 }
 
 std::string AngryBallsScreen::now() const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/hud/level_bar.hpp"
+#include "app/play/stillness.hpp"
 #include "app/screens/next_offer.hpp"
 #include "app/screens/play_screen.hpp"
 #include "games/angry_balls.hpp"
@@ -29,7 +30,14 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
   void announce_start() override;
   void note(const Event& event) override { turn_points_ += event.points; }
   void after_step() override;
-  void begin_launch() override { trace_.clear(); }
+  void begin_launch() override {
+    trace_.clear();
+    stillness_.reset();
+    still_for_ = nanoseconds{0};
+  }
+  void pass_waiting(nanoseconds elapsed) override;
+  std::optional<Ask> own_window() override;
+  void own_answer(ButtonId button) override;
   Navigation leave_to() const override { return ShowLevels{}; }
   Navigation next_game() override;
 
@@ -58,10 +66,13 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
   std::string state_line(const std::string& now) const override;
 
   std::string title() const;
+  void take_next();
 
   Campaign& campaign_;
   std::vector<carom::Vec2> trace_;  ///< px, where the last throw went
   LevelBar bar_;
+  Stillness stillness_;
+  nanoseconds still_for_{};  ///< since nothing can change any more
 };
 
 }  // namespace app

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/graphics/palette.hpp"
+#include "app/play/first_aim.hpp"
 #include "games/launch.hpp"
 
 namespace app {
@@ -41,8 +42,7 @@ BilliardsScreen::Doing BilliardsScreen::doing() const {
 }
 
 carom::Vec2 BilliardsScreen::first_drag() const {
-  const carom::Vec2 cue = game().world().ball(0).position;
-  return first_aim(cue, nearest(game().world(), carom::Role::red, cue, billiards::apex_start));
+  return first_aim(game().world(), carom::Role::red);
 }
 
 bool BilliardsScreen::start_again() {
@@ -59,7 +59,7 @@ void BilliardsScreen::note(const Event& event) {
       break;
     case EventKind::turn: {
       const std::string before = words_.player(shooter_);
-      std::string detail = words_(Text::cue_ball_in_hand);
+      std::string detail = words_(missed_ ? Text::missed_all : Text::cue_ball_in_hand);
       if (game().phase() != Phase::place)
         detail = turn_points_ > 0 ? words_(Text::turn_scored, {before, words_.number(turn_points_)})
                                   : words_(Text::turn_nothing, {before});
@@ -67,8 +67,11 @@ void BilliardsScreen::note(const Event& event) {
       break;
     }
     case EventKind::over:
-      if (!played_.practice())
+      if (!game().options().alone)
         session_.last_game = {game().options().first_player, game().winner()};
+      break;
+    case EventKind::missed:
+      missed_ = true;
       break;
     case EventKind::cue_pocketed:
       break;
@@ -76,13 +79,16 @@ void BilliardsScreen::note(const Event& event) {
 }
 
 void BilliardsScreen::announce_turn(const std::string& detail) {
-  // The lesson would cover it; who plays alone needs none.
-  if (session_.teaches() || game().options().alone) return;
+  // The lesson would cover it; who plays alone needs none but for a ball in hand.
+  const bool alone = game().options().alone;
+  if (session_.teaches() || (alone && game().phase() != Phase::place)) return;
+  if (alone) return effects_.announce(detail, {}, {});
   effects_.announce(words_(Text::turn_of, {words_.player(game().player())}), detail,
                     game().player());
 }
 
 Over BilliardsScreen::ending() {
+  if (game().options().alone && !played_.practice()) return cleared();
   const std::optional<int> winner = game().winner();
   std::vector<Dialog::Line> lines{
       {.columns = {{words_.player(0), words_.player(1)}}, .heads = true}};
@@ -99,6 +105,26 @@ Over BilliardsScreen::ending() {
   buttons.push_back({leave, words_(Text::back_to_title), words_(Text::tip_title)});
   return {Dialog(winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
                  std::move(lines), std::move(buttons))};
+}
+
+/// The end of a game alone: how many shots it took, and the best so far.
+Over BilliardsScreen::cleared() {
+  const int shots = game().tally(0).shots;
+  const std::size_t place = session_.alone.record(game().options(), shots);
+  std::vector<Dialog::Line> lines;
+  if (place == 1) lines.push_back({words_(Text::new_best), {}, {}});
+  std::string list;
+  for (const int fewest : session_.alone.of(game().options()))
+    list += (list.empty() ? "" : " · ") + words_.number(fewest);
+  lines.push_back({words_(Text::fewest, {list}), {}, {}});
+  lines.push_back(
+      {words_(Text::key_line, {words_(Text::fouls), words_.number(game().tally(0).fouls)}),
+       {},
+       {}});
+  std::vector<Dialog::Button> buttons = end_buttons();
+  buttons.push_back({leave, words_(Text::back_to_title), words_(Text::tip_title)});
+  return {
+      Dialog(words_(Text::cleared, {words_.number(shots)}), std::move(lines), std::move(buttons))};
 }
 
 PlaceBall::Stage BilliardsScreen::stage() const {
@@ -147,6 +173,7 @@ void BilliardsScreen::draw_bar(Canvas& canvas) const {
   if (game().phase() != Phase::over) content.on = game().player();
   content.balls_left = game().reds_left();
   content.turn_points = game().turn_points();
+  if (game().options().alone) content.shots = game().tally(0).shots;
   bar_.draw(canvas, content);
 }
 
@@ -166,6 +193,13 @@ std::string BilliardsScreen::now() const {
 }
 
 std::string BilliardsScreen::state_line(const std::string& now) const {
+  if (game().options().alone && !played_.practice()) {
+    const auto count = [&](Text what, int number) {
+      return " · " + words_(Text::key_line, {words_(what), words_.number(number)});
+    };
+    return words_(Text::product) + " · " + now + count(Text::shots, game().tally(0).shots) +
+           count(Text::balls_left, game().reds_left());
+  }
   return words_(Text::state, {words_(Text::product), now, words_.number(game().score(0)),
                               words_.number(game().score(1)), words_.number(game().reds_left()),
                               words_.player(0), words_.player(1)});

@@ -26,7 +26,10 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
   bool start_again() override;
   void announce_start() override { announce_turn({}); }
   void note(const Event& event) override;
-  void begin_launch() override { shooter_ = game().player(); }
+  void begin_launch() override {
+    shooter_ = game().player();
+    missed_ = false;
+  }
   Navigation leave_to() const override { return ShowTitle{}; }
 
   UserBar& bar() override { return bar_; }
@@ -55,9 +58,11 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
 
   void announce_turn(const std::string& detail);
   PlaceBall::Stage stage() const;
+  Over cleared();
 
   BilliardsBar bar_;
-  int shooter_ = 0;  ///< whose turn it was when the balls began to roll
+  bool missed_ = false;  ///< the last shot touched no red, which the house rule forbids
+  int shooter_ = 0;      ///< whose turn it was when the balls began to roll
 };
 
 }  // namespace app

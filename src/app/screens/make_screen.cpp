@@ -8,6 +8,7 @@
 #include "app/screens/kept_list.hpp"
 #include "app/screens/level_menu.hpp"
 #include "app/screens/load_screen.hpp"
+#include "app/screens/new_game.hpp"
 #include "app/screens/replay_list.hpp"
 #include "app/screens/replay_screen.hpp"
 #include "app/screens/settings_screen.hpp"
@@ -62,6 +63,7 @@ struct Maker {
     return std::make_unique<SettingsScreen>(words, session, show.page);
   }
   Made operator()(const ShowHelp&) const { return std::make_unique<Help>(words, session); }
+  Made operator()(const ShowNewGame&) const { return std::make_unique<NewGame>(words, session); }
 };
 
 }  // namespace
@@ -72,7 +74,7 @@ std::unique_ptr<Screen> make_screen(const Words& words, Session& session, Naviga
 
 bool lies_over(const Navigation& request) {
   return std::holds_alternative<Watch>(request) || std::holds_alternative<ShowSettings>(request) ||
-         std::holds_alternative<ShowHelp>(request);
+         std::holds_alternative<ShowHelp>(request) || std::holds_alternative<ShowNewGame>(request);
 }
 
 }  // namespace app

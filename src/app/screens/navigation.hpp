@@ -72,12 +72,14 @@ struct ShowSettings {
   std::size_t page = 0;
 };
 struct ShowHelp {};
+/// The choice of the next game of billiards.
+struct ShowNewGame {};
 
 /// Ends the program.
 struct Quit {};
 
-using Navigation =
-    std::variant<Stay, Back, Ask, Answer, ShowTitle, PlayBilliards, ShowLevels, PlayLevel,
-                 ShowSavedGames, Load, Resume, ShowReplays, Watch, ShowSettings, ShowHelp, Quit>;
+using Navigation = std::variant<Stay, Back, Ask, Answer, ShowTitle, PlayBilliards, ShowLevels,
+                                PlayLevel, ShowSavedGames, Load, Resume, ShowReplays, Watch,
+                                ShowSettings, ShowHelp, ShowNewGame, Quit>;
 
 }  // namespace app

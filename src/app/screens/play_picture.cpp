@@ -2,6 +2,7 @@
 
 #include "app/graphics/palette.hpp"
 #include "app/hud/aim_view.hpp"
+#include "app/hud/loupe.hpp"
 #include "app/screens/next_offer.hpp"
 #include "app/screens/place_ball.hpp"
 #include "app/screens/play_screen.hpp"
@@ -29,24 +30,38 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
   game_speed_.draw_veil(canvas, layout_.world, words_);
   if (bar_last) draw_bar(canvas);
   if (played_.practice()) strip_.draw(canvas);
-  draw_footer(canvas, layout_.footer, launcher ? &launcher->aim : nullptr,
-              launcher && launcher->entry ? &*launcher->entry : nullptr, words_, hint(),
-              hint_color(*list.palette), played_.practice().has_value(),
-              launcher && launcher->offers_shot(session_.settings.get().aiming.way, touch_));
+  Footer footer{.hint = hint(),
+                .color = hint_color(*list.palette),
+                .practice = played_.practice().has_value()};
+  if (launcher) {
+    const AimWay way = session_.settings.get().aiming.way;
+    footer.aim = &launcher->aim;
+    footer.entry = launcher->entry ? &*launcher->entry : nullptr;
+    footer.slides = way == AimWay::apart || way == AimWay::turn;
+    footer.shoot = launcher->offers_shot(way, touch_);
+    footer.fine = launcher->offers_fine(way);
+  }
+  draw_footer(canvas, layout_.footer, footer, words_);
 }
 
 template <class Game, class Waiting>
 void PlayScreen<Game, Waiting>::draw_launcher(Canvas& canvas, const Launcher& launcher) const {
   DrawList& list = canvas.list;
   const carom::Ball lead = game().world().ball(0);
-  if (const auto to = launcher.pulled_to()) draw_sling(list, viewport(), lead, *to);
-  if (launcher.aim.active())
-    draw_aim(list, viewport(), game().world(), launcher.aim,
-             previewer_.of(game().world(), launcher.aim, session_.settings.get().aiming,
-                           played_.practice().has_value()));
-  else
-    draw_invitation(list, viewport(), lead, !touch_ && on_lead(lead, pointer_, viewport(), view_),
-                    lead_color(*list.palette));
+  const auto pulled = launcher.pulled_to();
+  if (pulled) draw_sling(list, viewport(), lead, *pulled);
+  if (launcher.aim.active()) {
+    const Preview& preview =
+        previewer_.of(game().world(), launcher.aim, session_.settings.get().aiming,
+                      played_.practice().has_value());
+    draw_aim(list, viewport(), game().world(), launcher.aim, preview);
+    if (pulled)
+      draw_loupe(canvas, world_view_, game().world(), interpolator_, launcher.aim, preview,
+                 *pulled);
+    return;
+  }
+  draw_invitation(list, viewport(), lead, !touch_ && on_lead(lead, pointer_, viewport(), view_),
+                  lead_color(*list.palette));
 }
 
 template <class Game, class Waiting>
@@ -59,6 +74,7 @@ std::string PlayScreen<Game, Waiting>::hint() const {
                   {session_.keyboard.name(Command::again), practised(words_, practice->plan)});
   if (launcher)
     return words_(aim_hint(*launcher, session_.settings.get().aiming.way, touch_, aim_hints()));
+  if (watches && runout_.quiet()) return words_(Text::hint_quiet);
   if (watches)
     return words_(watch_hint(),
                   {session_.keyboard.name(Command::fast), session_.keyboard.name(Command::pause)});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/hud/aim_view.hpp"
+#include "app/hud/aim_controls.hpp"
 #include "app/screens/next_offer.hpp"
 #include "app/screens/place_ball.hpp"
 #include "app/view/clear_place.hpp"
@@ -103,6 +103,7 @@ auto PlayScreen<Game, Waiting>::practise(const Input& input) -> Handled {
 template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::act(const Input& input) -> Handled {
   if (auto* waiting = std::get_if<Waiting>(&state_)) return waiting_event(*waiting, input);
+  if (skip(input)) return Stay{};
   return std::holds_alternative<Over>(state_) ? Handled(Stay{}) : std::nullopt;
 }
 
@@ -117,101 +118,37 @@ auto PlayScreen<Game, Waiting>::move_focus(const Input& input) -> Handled {
 template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::press_bar(const Input& input) -> Handled {
   const auto pressed = bar().event(input, session_.sounds);
-  return pressed ? Handled(request(*pressed)) : std::nullopt;
+  if (!pressed) return std::nullopt;
+  return *pressed == UserBar::Command::pause ? pause() : request(*pressed);
+}
+
+/// Where nothing more will happen, a key or tap goes to the end of the launch at once.
+template <class Game, class Waiting>
+bool PlayScreen<Game, Waiting>::skip(const Input& input) {
+  if (!std::holds_alternative<Watching>(state_) || !runout_.quiet()) return false;
+  const bool key = is_key(input, Key::space) || is_key(input, Key::enter);
+  const bool tap = std::holds_alternative<PointerPressed>(input) && !on_button() &&
+                   layout_.world.contains(pointer_);
+  if (!tap && !(key && !focus_elsewhere())) return false;
+  while (std::holds_alternative<Watching>(state_) && moving()) step();
+  return true;
 }
 
 template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::command(const Input& input) -> Handled {
-  if (is_key(input, Key::settings)) return request(UserBar::Command::settings);
+  if (is_key(input, Key::settings)) {
+    game_speed_.let_go();
+    return ShowSettings{};
+  }
   if (is_key(input, Key::escape)) {
     Buttons* const own = waiting_buttons();
-    if (!focus_elsewhere() && !(own && own->has_focus())) return request(UserBar::Command::close);
+    if (!focus_elsewhere() && !(own && own->has_focus())) return pause();
     blur();
     if (own) own->blur();
     return Stay{};
   }
   if (is_command(input, Command::again)) return request(UserBar::Command::restart);
   return std::nullopt;
-}
-
-template <class Game, class Waiting>
-Navigation PlayScreen<Game, Waiting>::request(UserBar::Command command) {
-  game_speed_.let_go();  // what is pressed is let go unheard under another screen
-  auto question = question_before(command);
-  if (!question) return obey(command);
-  asked_ = command;
-  std::string line = described(question->title());
-  return Ask{.dialog = std::move(*question), .line = std::move(line)};
-}
-
-/// The window of the end.
-template <class Game, class Waiting>
-std::optional<Ask> PlayScreen<Game, Waiting>::opens() {
-  const auto* over = std::get_if<Over>(&state_);
-  if (!over || over->wait > nanoseconds{0}) return std::nullopt;
-  game_speed_.let_go();
-  Ask ask{.dialog = over->dialog, .line = describe(), .cover = Cover::running};
-  if (played_.practice())
-    ask.shortcuts = {{Key::backspace, take_back}, {app::Command::again, repeat}};
-  return ask;
-}
-
-template <class Game, class Waiting>
-Navigation PlayScreen<Game, Waiting>::answered(ButtonId button) {
-  if (std::holds_alternative<Over>(state_)) return finish(button);
-  if (button == yes) return obey(asked_);
-  return Stay{};
-}
-
-template <class Game, class Waiting>
-std::optional<Dialog> PlayScreen<Game, Waiting>::question_before(UserBar::Command command) const {
-  // Leaving keeps the game; practice keeps none.
-  if (command != UserBar::Command::restart || game().world().steps() == 0 || played_.practice())
-    return std::nullopt;
-  return Dialog(words_(Text::ask_restart), {{words_(Text::game_is_lost), {}, {}}},
-                {{yes, words_(Text::new_game), words_(Text::tip_give_up)},
-                 {no, words_(Text::keep_playing), words_(Text::tip_close_help)}});
-}
-
-template <class Game, class Waiting>
-Navigation PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
-  switch (command) {
-    case UserBar::Command::settings:
-      return ShowSettings{};
-    case UserBar::Command::close:
-      // A level has moved on while it was offered to throw again.
-      if (std::holds_alternative<Waiting>(state_)) keep();
-      return leave_to();
-    case UserBar::Command::restart:
-      break;
-  }
-  if (start_again()) {
-    game_speed_.new_game();
-    show_anew();
-    announce_start();
-  }
-  return Stay{};
-}
-
-template <class Game, class Waiting>
-Navigation PlayScreen<Game, Waiting>::finish(ButtonId button) {
-  switch (static_cast<EndButton>(button)) {
-    case go_on:
-      return next_game();
-    case again:
-      return obey(UserBar::Command::restart);
-    case leave:
-      return obey(UserBar::Command::close);
-    case watch:
-      return Watch{played_.recorder().replay()};
-    case take_back:
-      practise(TakeBack{});
-      break;
-    case repeat:
-      practise(Repeat{});
-      break;
-  }
-  return Stay{};
 }
 
 template <class Game, class Waiting>
@@ -248,6 +185,7 @@ void PlayScreen<Game, Waiting>::follow_phase() {
       turn_points_ = 0;
       begin_launch();
       state_ = Watching{};
+      runout_.reset();
       effects_.end_announcement();
       if (!session_.calm()) foresight_.begin(game());
       break;
@@ -269,6 +207,10 @@ void PlayScreen<Game, Waiting>::keep() {
 template <class Game, class Waiting>
 Navigation PlayScreen<Game, Waiting>::iterate(nanoseconds elapsed) {
   if (game_speed_.paused()) return Stay{};
+  const bool watches = std::holds_alternative<Watching>(state_);
+  if (watches && session_.settings.get().quick_rolling) runout_.look(game());
+  game_speed_.ease(watches && runout_.quiet());
+  if (std::holds_alternative<Waiting>(state_)) pass_waiting(elapsed);
   const Speed speed = game_speed_.pass(elapsed);
   effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
   if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
@@ -334,6 +276,7 @@ Launcher::Stage PlayScreen<Game, Waiting>::stage() const {
           .world = layout_.world,
           .meter = strength_meter(view_, layout_.footer),
           .shoot = shoot_button(view_, layout_.footer),
+          .fine = fine_field(view_, layout_.footer),
           .way = session_.settings.get().aiming.way,
           .on_button = on_button(),
           .focus_elsewhere = focus_elsewhere(),

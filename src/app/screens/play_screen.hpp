@@ -8,12 +8,14 @@
 
 #include "app/hud/practice_strip.hpp"
 #include "app/hud/user_bar.hpp"
+#include "app/play/aim_hints.hpp"
 #include "app/play/clock.hpp"
 #include "app/play/foresight.hpp"
 #include "app/play/game_speed.hpp"
 #include "app/play/launcher.hpp"
 #include "app/play/played.hpp"
 #include "app/play/preview.hpp"
+#include "app/play/runout.hpp"
 #include "app/play/session.hpp"
 #include "app/screens/screen.hpp"
 #include "app/view/effects.hpp"
@@ -65,6 +67,8 @@ class PlayScreen : public Screen {
   enum EndButton : ButtonId { go_on, again, watch, leave, take_back, repeat };
 
   enum Reply : ButtonId { yes, no };
+  /// The pause menu's buttons.
+  enum class PauseButton : ButtonId { resume, restart, settings, help, leave };
 
   /// `place`: where the game is saved already.
   PlayScreen(const Words& words, Session& session, Recorder recorder, KeptGames::Place place,
@@ -101,6 +105,11 @@ class PlayScreen : public Screen {
   /// Where the pointer is after a change of size.
   virtual void find_pointer() = 0;
 
+  /// Time passes while something is done between launches.
+  virtual void pass_waiting(nanoseconds) {}
+  /// A window of the game's own to open now, and the answer.
+  virtual std::optional<Ask> own_window() { return std::nullopt; }
+  virtual void own_answer(ButtonId) {}
   virtual Handled waiting_event(Waiting& waiting, const Input& input) = 0;
   virtual Buttons* waiting_buttons() { return nullptr; }
   virtual void place_waiting(Waiting&) {}
@@ -155,6 +164,9 @@ class PlayScreen : public Screen {
   Handled press_bar(const Input& input);
   Handled command(const Input& input);
 
+  Navigation pause();
+  Navigation paused(ButtonId button);
+  bool skip(const Input& input);
   Navigation request(UserBar::Command command);
   /// The question before a command, if there is one; its buttons are a Reply each.
   std::optional<Dialog> question_before(UserBar::Command command) const;
@@ -171,7 +183,10 @@ class PlayScreen : public Screen {
   Color hint_color(const Palette& palette) const;
 
   decltype(std::declval<Game>().phase()) phase_{};  ///< that state_ follows
-  UserBar::Command asked_{};                        ///< what a question is about
+  enum class Window : std::uint8_t { question, pause, own };
+  Window window_{};           ///< that was opened last
+  UserBar::Command asked_{};  ///< the subject of a question
+  Runout<Game> runout_;
   Clock clock_;
   GameSpeed game_speed_;
   Foresight<Game> foresight_;

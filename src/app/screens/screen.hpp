@@ -35,6 +35,9 @@ class Screen {
   /// The picture changes without input.
   virtual bool animating() const { return false; }
 
+  /// There is no screen to go back to.
+  virtual bool is_first() const { return false; }
+
   virtual Cover cover() const { return Cover::whole; }
   /// The window to open over this screen now. Called whenever the screen is the uppermost one.
   virtual std::optional<Ask> opens() { return std::nullopt; }

@@ -82,12 +82,13 @@ constexpr std::array picture{
 };
 
 constexpr std::array aiming{
-    SettingsRow{
-        Kind::choice, Text::set_way, Text::about_way,
-        [](const Words& words, const Settings& now) {
-          return one_of(words, now.aiming.way, {Text::way_clicks, Text::way_pull, Text::way_turn});
-        },
-        [](Settings& now, int by) { turn(now.aiming.way, 3, by); }},
+    SettingsRow{Kind::choice, Text::set_way, Text::about_way,
+                [](const Words& words, const Settings& now) {
+                  return one_of(
+                      words, now.aiming.way,
+                      {Text::way_clicks, Text::way_pull, Text::way_turn, Text::way_apart});
+                },
+                [](Settings& now, int by) { turn(now.aiming.way, 4, by); }},
     SettingsRow{Kind::choice, Text::set_preview, Text::about_preview,
                 [](const Words& words, const Settings& now) {
                   return one_of(words, now.aiming.preview,
@@ -95,6 +96,12 @@ constexpr std::array aiming{
                                  Text::preview_full});
                 },
                 [](Settings& now, int by) { turn(now.aiming.preview, 4, by); }},
+    SettingsRow{Kind::choice, Text::set_go_on, Text::about_go_on,
+                [](const Words& words, const Settings& now) {
+                  return words(now.go_on ? Text::go_on_itself : Text::go_on_click);
+                },
+                [](Settings& now, int) { now.go_on = !now.go_on; }},
+    yes_or_no<&Settings::quick_rolling>(Text::set_quick_rolling, Text::about_quick_rolling),
 };
 
 constexpr std::array players{

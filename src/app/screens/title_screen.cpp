@@ -25,9 +25,9 @@ TitleScreen::TitleScreen(const Words& words, Session& session)
     : words_(words), session_(session), latest_(session.kept.latest()) {
   if (latest_) choices_.push_back(Choice::continue_latest);
   if (latest_ && session.kept.names().size() > 1) choices_.push_back(Choice::kept_games);
-  for (const Choice choice :
-       {Choice::billiards, Choice::practice_table, Choice::angry_balls, Choice::replays,
-        Choice::settings, session.host.can_quit ? Choice::quit : Choice::open_file})
+  for (const Choice choice : {Choice::billiards, Choice::new_game, Choice::practice_table,
+                              Choice::angry_balls, Choice::replays, Choice::settings,
+                              session.host.can_quit ? Choice::quit : Choice::open_file})
     choices_.push_back(choice);
   std::vector<Buttons::Button> buttons;
   for (const Choice choice : choices_) buttons.push_back({id_of(choice)});
@@ -45,6 +45,8 @@ std::string TitleScreen::label_of(Choice choice) const {
       return words_(Text::kept_games);
     case Choice::billiards:
       return words_(Text::billiards);
+    case Choice::new_game:
+      return words_(Text::new_game_more);
     case Choice::practice_table:
       return words_(Text::practice);
     case Choice::angry_balls:
@@ -69,6 +71,8 @@ Text TitleScreen::tip_of(Choice choice) {
       return Text::tip_kept_games;
     case Choice::billiards:
       return Text::tip_billiards;
+    case Choice::new_game:
+      return Text::tip_new_game;
     case Choice::practice_table:
       return Text::tip_practice_table;
     case Choice::angry_balls:
@@ -94,7 +98,8 @@ std::string TitleScreen::offer() const {
       return std::holds_alternative<games::billiards::Shoot>(move.command) && move.steps > 0;
     });
     if (game.options.keep_turn && !to_play_) return words_(Text::continue_table);
-    const auto player = to_play_.value_or((game.options.first_player + shots) % 2);
+    const auto player =
+        to_play_.value_or(game.options.alone ? 0 : (game.options.first_player + shots) % 2);
     return words_(Text::continue_billiards, {words_.number(player + 1)});
   }
   const Level level = session_.campaign.known(*game.level);
@@ -151,13 +156,17 @@ void TitleScreen::resize(const View& view) {
     const bool second = choice == Choice::kept_games || choice == Choice::practice_table ||
                         choice == Choice::replays || choice == Choice::open_file ||
                         choice == Choice::quit;
-    if (second) {
+    if (choice == Choice::new_game) {
+      row.cut_left(gap);
+      buttons_.place(view, id, row.cut_left((row.w - gap) * 0.44f));
+    } else if (second) {
       row.cut_left(gap);
       buttons_.place(view, id, row);
     } else {
       next_row();
-      const float first =
-          choice == Choice::continue_latest ? row.w - view.px(kept_games_width) : row.w * 0.56f;
+      const float first = choice == Choice::continue_latest ? row.w - view.px(kept_games_width)
+                          : choice == Choice::billiards     ? row.w * 0.42f
+                                                            : row.w * 0.56f;
       buttons_.place(view, id, alone ? row : row.cut_left(first));
     }
   }
@@ -204,6 +213,8 @@ Navigation TitleScreen::choose(Choice choice) {
       return ShowSavedGames{};
     case Choice::billiards:
       return PlayBilliards{};
+    case Choice::new_game:
+      return ShowNewGame{};
     case Choice::practice_table:
       return PlayBilliards{.practice = true};
     case Choice::angry_balls:

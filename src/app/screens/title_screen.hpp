@@ -23,6 +23,7 @@ class TitleScreen final : public Screen {
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
   bool animating() const override { return ahead_.has_value(); }
+  bool is_first() const override { return true; }
   std::optional<Ask> opens() override;
 
  private:
@@ -30,6 +31,7 @@ class TitleScreen final : public Screen {
     continue_latest,
     kept_games,
     billiards,
+    new_game,
     practice_table,
     angry_balls,
     replays,

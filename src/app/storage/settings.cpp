@@ -21,8 +21,11 @@ constexpr std::string_view system_language = "system";
 constexpr std::array<std::string_view, 3> motions{"system", "on", "off"};
 constexpr std::array<std::string_view, 4> palettes{"standard", "red-green", "blue-yellow",
                                                    "high-contrast"};
-constexpr std::array<std::string_view, 3> ways{"two-clicks", "drag-back", "turn-then-power"};
+constexpr std::array<std::string_view, 4> ways{"two-clicks", "drag-back", "turn-then-power",
+                                               "turn-and-slide"};
 constexpr std::array<std::string_view, 4> previews{"off", "contact", "short", "full"};
+constexpr std::array<std::string_view, 2> all_seats{"two", "alone"};
+constexpr std::array<std::string_view, 2> racks{"classic", "quick"};
 constexpr std::array<std::string_view, 4> breakers{"player-1", "player-2", "alternate", "loser"};
 
 // Both directions go by the same list of keys: `visit` is called with each key and its value.
@@ -134,6 +137,12 @@ void visit_all(Any& settings, Visit& visit) {
   visit("names", settings.names);
   visit("breaks", settings.breaks, breakers);
   visit("keep-turn", settings.keep_turn);
+  visit("players", settings.seats, all_seats);
+  visit("rack", settings.rack, racks);
+  visit("touch-red", settings.touch_red);
+  visit("go-on", settings.go_on);
+  visit("go-on-offered", settings.go_on_offered);
+  visit("quick-rolling", settings.quick_rolling);
   visit("keys", settings.keys);
 }
 

@@ -12,6 +12,7 @@
 #include "app/storage/aim_settings.hpp"
 #include "app/storage/store.hpp"
 #include "app/text/text.hpp"
+#include "games/billiards.hpp"
 
 namespace app {
 
@@ -24,6 +25,9 @@ enum class Breaks : std::uint8_t {
   alternate,  ///< who did not have it in the last game
   loser,      ///< who lost the last game
 };
+
+/// Who plays a game of billiards. A computer will be one more.
+enum class Seats : std::uint8_t { two, alone };
 
 inline constexpr int most_volume = 100;
 inline constexpr std::size_t max_settings = 64 << 10;  ///< bytes of a file
@@ -42,8 +46,16 @@ struct Settings {
   /// As name_of() makes them; empty: "Player 1", "Player 2".
   std::array<std::string, 2> names;
   Breaks breaks = Breaks::player_1;
-  bool taught = false;     ///< has done something while it was shown how to shoot
-  bool keep_turn = false;  ///< billiards: who scores plays on (games::billiards::Options)
+  bool taught = false;  ///< has done something while it was shown how to shoot
+  // The game of billiards that was chosen last (games::billiards::Options).
+  bool keep_turn = false;  ///< who scores plays on
+  Seats seats = Seats::two;
+  games::billiards::Rack rack = games::billiards::Rack::classic;
+  bool touch_red = false;  ///< a shot that touches no red gives the cue ball away
+  // The pace.
+  bool go_on = false;          ///< the next throw comes by itself when nothing can change any more
+  bool go_on_offered = false;  ///< the player was asked about it
+  bool quick_rolling = true;   ///< slow balls that meet nothing more roll faster
   KeyBindings keys;
 
   friend bool operator==(const Settings&, const Settings&) = default;

@@ -10,6 +10,16 @@ void WorldView::fit(const Rect& area, float margin) {
   viewport_ = level_ ? level_viewport(area, scene_) : table_viewport(area.inset(margin), scene_);
 }
 
+WorldView WorldView::magnified(const Rect& area, carom::Vec2 center, double factor) const {
+  WorldView near = *this;
+  near.area_ = area;
+  const double scale = 2 * factor * viewport_.scale();
+  const carom::Vec2 seen{static_cast<double>(area.w) / scale, static_cast<double>(area.h) / scale};
+  const carom::Vec2 reach = viewport_.turned() ? carom::Vec2{seen.y, seen.x} : seen;
+  near.viewport_ = Viewport(area, center - reach, center + reach, viewport_.turned());
+  return near;
+}
+
 Rect WorldView::box() const { return level_ ? area_ : table_box(viewport_, scene_); }
 
 void WorldView::draw_still(Canvas& canvas) const {

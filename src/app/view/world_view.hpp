@@ -17,6 +17,8 @@ class WorldView {
 
   /// Shows it within `area`, window px; `margin`: around a table.
   void fit(const Rect& area, float margin);
+  /// The same, `factor` times as large, with a place of the world (px) in the middle of `area`.
+  WorldView magnified(const Rect& area, carom::Vec2 center, double factor) const;
   const Viewport& viewport() const { return viewport_; }
   const Rect& area() const { return area_; }
   /// The area of a table with its wood; of a level its own.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/play/session.hpp"
+#include "app/screens/screen.hpp"
+#include "app/widgets/widgets.hpp"
+
+namespace app {
+
+/// The choice of a game of billiards, over the title: players, rack and house rules. It is kept,
+/// and the title's "Billiards" starts the same again.
+class NewGame final : public Screen {
+ public:
+  NewGame(const Words& words, Session& session);
+
+  void resize(const View& view) override;
+  Navigation event(const Input& input) override;
+  void draw(Canvas& canvas) const override;
+  std::string describe() const override;
+  Cover cover() const override { return Cover::waiting; }
+
+ private:
+  enum Button : ButtonId { players, rack, keep_turn, touch_red, start, back };
+  void relabel();
+  void change(Button button);
+
+  Words words_;
+  Session& session_;
+  Buttons buttons_;
+  Rect panel_;
+  Rect title_;
+};
+
+}  // namespace app
