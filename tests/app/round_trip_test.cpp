@@ -1,7 +1,6 @@
 // All that is written is read back: what the program keeps, whatever the player does.
 
 #include <bit>
-#include <chrono>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <string>
@@ -152,14 +151,6 @@ std::string many_keys(std::size_t count) {
   return json + "}";
 }
 
-/// Seconds that the whole of it takes.
-template <class Work>
-double seconds(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 TEST(JsonOfStrangers, IsRefusedEverywhereHoweverDeepOrLong) {
   const std::string deep = nested(80'000);
   const std::string deep_settings = R"({"angry-balls-settings": 1, "volume": )" + deep + "}";
@@ -175,14 +166,11 @@ TEST(JsonOfStrangers, IsRefusedEverywhereHoweverDeepOrLong) {
     for (const char* name : {"settings.json", "scores.json", "continue-level-0001.json",
                              "replays/x.json", "levels/x.json"})
       ASSERT_TRUE(store.save(name, json));
-    const double time = seconds([&] {
-      EXPECT_EQ(KeptSettings(store).trouble(), KeptSettings::Trouble::set_aside);
-      EXPECT_EQ(app::BestScores(store).trouble(), app::BestScores::Trouble::set_aside);
-      EXPECT_FALSE(app::KeptGames(store).latest());
-      EXPECT_FALSE(app::SavedReplays(store).load("x"));
-      EXPECT_FALSE(app::kept_levels(store)[0].scene);
-    });
-    EXPECT_LT(time, 5) << "it took 7 s for one file; the time allows for sanitizers";
+    EXPECT_EQ(KeptSettings(store).trouble(), KeptSettings::Trouble::set_aside);
+    EXPECT_EQ(app::BestScores(store).trouble(), app::BestScores::Trouble::set_aside);
+    EXPECT_FALSE(app::KeptGames(store).latest());
+    EXPECT_FALSE(app::SavedReplays(store).load("x"));
+    EXPECT_FALSE(app::kept_levels(store)[0].scene);
     for (const char* name : {"settings.json.broken", "scores.json.broken"})
       EXPECT_EQ(store.load(name).value(), json);
   }

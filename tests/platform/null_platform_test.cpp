@@ -67,11 +67,18 @@ TEST(NullPlatform, PrintsTheScreenAndKeepsGamesInAStore) {
   EXPECT_TRUE(store.load("continue-billiards-0001.json").value());
 }
 
-TEST(NullPlatform, EscapeGoesBackAndThenQuits) {
+TEST(NullPlatform, EscapeOpensThePauseMenuAndClosesIt) {
   Played game(R"({"at": 0.5, "key": "Return"}
 {"at": 1, "key": "Escape"})");
-  EXPECT_EQ(game.app().describe(), "Angry Balls · title screen");
+  EXPECT_TRUE(game.app().describe().starts_with("Angry Balls · paused")) << game.app().describe();
   game.app().event(app::KeyPressed{app::Key::escape});
+  EXPECT_TRUE(game.app().describe().starts_with("Angry Balls · Player 1 aims"))
+      << game.app().describe();
+  EXPECT_FALSE(game.app().quit_requested());
+}
+
+TEST(NullPlatform, EscapeOnTheTitleQuits) {
+  Played game(R"({"at": 0.5, "key": "Escape"})");
   EXPECT_TRUE(game.app().quit_requested());
 }
 
