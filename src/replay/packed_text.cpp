@@ -146,7 +146,8 @@ std::string pasted_text(std::string_view pasted) {
     const auto starts = [rest = pasted.substr(i)](std::string_view blank) {
       return rest.starts_with(blank);
     };
-    if (const auto* const blank = std::ranges::find_if(blanks, starts); blank != blanks.end()) {
+    if (const auto* const blank = std::find_if(blanks.begin(), blanks.end(), starts);
+        blank != blanks.end()) {
       i += blank->size() - 1;
       continue;
     }

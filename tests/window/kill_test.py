@@ -30,7 +30,7 @@ def lines(*actions):
 
 def level_script(throws, rng):
     actions = [{"at": 0.1, "key": key} for key in
-               ("Tab", "Tab", "Tab", "Return", "Shift+Tab", "Shift+Tab", "Shift+Tab", "Return")]
+               ("Tab", "Tab", "Tab", "Tab", "Return", "Shift+Tab", "Shift+Tab", "Shift+Tab", "Return")]
     at = 1.0
     for _ in range(throws):
         drag = [LAUNCH[0] + rng.randint(-90, 60), LAUNCH[1] - rng.randint(1, 60)]
