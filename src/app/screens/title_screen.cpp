@@ -158,14 +158,14 @@ void TitleScreen::resize(const View& view) {
                         choice == Choice::quit;
     if (choice == Choice::new_game) {
       row.cut_left(gap);
-      buttons_.place(view, id, row.cut_left((row.w - gap) * 0.44f));
+      buttons_.place(view, id, row.cut_left((row.w - gap) * 0.25f));
     } else if (second) {
       row.cut_left(gap);
       buttons_.place(view, id, row);
     } else {
       next_row();
       const float first = choice == Choice::continue_latest ? row.w - view.px(kept_games_width)
-                          : choice == Choice::billiards     ? row.w * 0.42f
+                          : choice == Choice::billiards     ? row.w * 0.40f
                                                             : row.w * 0.56f;
       buttons_.place(view, id, alone ? row : row.cut_left(first));
     }
