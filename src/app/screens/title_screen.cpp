@@ -158,7 +158,7 @@ void TitleScreen::resize(const View& view) {
                         choice == Choice::quit;
     if (choice == Choice::new_game) {
       row.cut_left(gap);
-      buttons_.place(view, id, row.cut_left((row.w - gap) * 0.25f));
+      buttons_.place(view, id, row.cut_left(std::max((row.w - gap) * 0.25f, view.button(44))));
     } else if (second) {
       row.cut_left(gap);
       buttons_.place(view, id, row);
