@@ -32,11 +32,13 @@ def level_script(throws, rng):
     actions = [{"at": 0.1, "key": key} for key in
                ("Tab", "Tab", "Tab", "Tab", "Return", "Shift+Tab", "Shift+Tab", "Shift+Tab", "Return")]
     at = 1.0
-    for _ in range(throws):
+    for throw in range(throws):
         drag = [LAUNCH[0] + rng.randint(-90, 60), LAUNCH[1] - rng.randint(1, 60)]
         # Every throw is over after 30 s at the latest.
         actions += [{"at": at, "click": LAUNCH}, {"at": at, "click": drag},
                     {"at": at + 31, "print": True}, {"at": at + 31, "key": "N"}]
+        if throw == 2:  # the game offers to go on by itself: no
+            actions.append({"at": at + 31.5, "key": "Escape"})
         at += 32
     return lines(*actions)
 
