@@ -26,7 +26,7 @@ TEST_F(NewGameTest, ThePlainGameIsTheReports) {
 }
 
 TEST_F(NewGameTest, WhatIsChosenIsPlayedAndOneTapPlaysItAgain) {
-  game.press("New…");
+  game.press("…");
   ASSERT_TRUE(game.says("New game · Players: Two · Balls: Classic: 36")) << game.title();
   game.press("Balls");
   game.press("Score and play on");
@@ -54,7 +54,7 @@ TEST_F(NewGameTest, ByKeysAlone) {
   EXPECT_TRUE(game.says("Players: Alone"));
   game.key(Key::escape);
   EXPECT_TRUE(game.says("title screen"));
-  game.key(Key::enter);  // the focus is on "New…"
+  game.key(Key::enter);  // the focus is on "…"
   game.key(Key::enter);
   EXPECT_TRUE(table().options().alone);
 }
