@@ -22,7 +22,7 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
   await game.waitFor("Player");
   await back();
   await game.waitFor("paused: ");
-  await game.press("Shift+Tab", "Enter"); // Leave
+  await game.press("Shift+Tab", "Shift+Tab", "Enter"); // Leave, the last
   await game.waitFor("title screen");
   check(await game.stored("continue-billiards-0001.json"), "the game left is not kept");
   check(game.page.url() !== "about:blank", "the page was left");
