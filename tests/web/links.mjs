@@ -38,8 +38,10 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   await game.press("Control+v");
   await write(text);
   await game.press("Escape");
+  await game.waitFor("paused: ");
+  await game.press("Shift+Tab", "Shift+Tab", "Enter"); // Leave, the last
   await game.waitFor("title screen");
-  await game.press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter"); // Replays
+  await game.press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter"); // Replays
   await game.waitFor("Saved replays");
   await game.press("Tab", "Tab", "Enter"); // Paste, behind the one saved
   await game.waitFor("replay · Billiards");
