@@ -39,7 +39,7 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   await write(text);
   await game.press("Escape");
   await game.waitFor("paused: ");
-  await game.press("Shift+Tab", "Shift+Tab", "Enter"); // Leave, the last
+  await game.press("ArrowLeft", "ArrowLeft", "Enter"); // Leave, the last; Tab would leave the canvas
   await game.waitFor("title screen");
   await game.press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter"); // Replays
   await game.waitFor("Saved replays");

@@ -69,9 +69,13 @@ await withPage({ width: 1280, height: 720 }, async (one, context, server) => {
 
   // Records made in both, each unknown to the other until it is saved.
   await two.press("Escape");
+  await two.waitFor("paused: ");
+  await two.press("ArrowLeft", "ArrowLeft", "Enter"); // Leave
   await two.waitFor("title screen");
   await front(one);
   await one.press("Escape");
+  await one.waitFor("paused: ");
+  await one.press("ArrowLeft", "ArrowLeft", "Enter"); // Leave
   await one.waitFor("title screen");
   await win(one, [138, 250], "01-first-steps");
   await front(two);
