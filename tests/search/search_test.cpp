@@ -73,7 +73,7 @@ TEST(Search, ByEveryNumberOfThreadsAndInSlices_GivesTheSameAnswer) {
       const Answer once = answer_of(game, question);
       EXPECT_EQ(once.ranked.size(), 3U);
       for (const int threads : {1, 2, 5})
-        for (const std::uint64_t slice : {1, 7, 64})
+        for (const std::uint64_t slice : {1U, 7U, 64U})
           expect_equal(answer_of(game, question, threads, slice), once);
     }
 }
@@ -86,7 +86,7 @@ TEST(Search, WithAnotherSeed_LooksAtOtherShots) {
 }
 
 TEST(Search, OfABudget_PlaysItAndTheFreshOnesAndNoMore) {
-  for (const std::uint64_t simulations : {1, 2, 3, 30, 500})
+  for (const std::uint64_t simulations : {1U, 2U, 3U, 30U, 500U})
     for (const double error : {0.0, 4.0}) {
       const Answer answer =
           answer_of(table({{700, 360}}),
