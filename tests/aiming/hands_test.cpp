@@ -176,14 +176,15 @@ void compare(int tries) {
   std::printf("%-24s%10s%10s%10s%10s%10s\n", "", "desktop", "phone", "desktop", "phone", "desktop");
   std::array<double, 2> wins_of_all{};
   std::printf("%-24s%20s%20s%10s\n", "won of tries", "turn and bar", "with small steps", "pull");
-  for (const auto& [name, level] : shipped_levels()) {
+  for (const auto& shipped : shipped_levels()) {
+    const auto& [name, level] = shipped;
     const auto throws = recorded_throws(name);
     ASSERT_FALSE(throws.empty()) << name;
     const angry_balls::Game game = angry_balls::Game::create(level).value();
     std::printf("%-24s", name.c_str());
     unsigned seed = 0;
     const auto rate = [&](const app::View& view, auto by_hand) {
-      Hand hand(level, view, ++seed);
+      Hand hand(shipped.second, view, ++seed);
       int won = 0;
       for (int i = 0; i < tries; ++i)
         won += wins(game, throws, [&](carom::Vec2 drag) { return by_hand(hand, drag); });
