@@ -3,7 +3,8 @@
 
   from_help.py BIN FOLDER
 
-writes FOLDER/man1/*.1, FOLDER/bash/* and FOLDER/fish/*.fish for the programs carom and angry-balls in BIN.
+writes FOLDER/man/*.1, FOLDER/bash/*, FOLDER/fish/*.fish and FOLDER/zsh/_* for the programs carom and
+angry-balls in BIN.
 """
 
 import pathlib
@@ -120,11 +121,43 @@ def fish(program, pages):
     return "\n".join(lines) + "\n"
 
 
+def zsh(program, pages):
+    """Completes commands, options, and else files."""
+    def quote(text):
+        return "'" + text.replace("'", "'\\''") + "'"
+
+    def note(text):
+        return re.sub(r"([\[\]:\\])", r"\\\1", text)
+
+    def arguments(page):
+        specs = []
+        for names, argument, description in page.options():
+            choices = f"({argument.replace('|', ' ')})" if "|" in argument else " "
+            value = f":{note(argument)}:{'_files' if re.search('FILE|TRACE|FOLDER|SCRIPT|LOG|DIR', argument) else choices}" if argument else ""
+            specs += [quote(f"{name}[{note(description.strip())}]{value}") for name in names]
+        return specs + [quote("*:file:_files")]
+
+    def call(page, indent):
+        return f" \\\n{indent}  ".join([f"{indent}_arguments -s", *arguments(page)])
+
+    lines = [f"#compdef {program}", f"# Completion of {program} for zsh."]
+    if len(pages) > 1:
+        lines += ["if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then", "  local -a commands=("]
+        lines += [f"    {quote(page.name.split()[1] + ':' + page.summary)}" for page in pages[1:]]
+        lines += ["  )", "  _describe command commands", "  return", "fi", "case $words[2] in"]
+        for page in pages[1:]:
+            lines += [f"  {page.name.split()[1]})", call(page, "    "), "    ;;"]
+        lines += ["  *)", call(pages[0], "    "), "    ;;", "esac"]
+    else:
+        lines.append(call(pages[0], ""))
+    return "\n".join(lines) + "\n"
+
+
 def main():
     binaries, folder = map(pathlib.Path, sys.argv[1:])
     header = (pathlib.Path(__file__).resolve().parent.parent / "include/carom/version.hpp").read_text()
     version = re.search(r'CAROM_VERSION "(.*)"', header)[1]
-    for name in ("man", "bash", "fish"):
+    for name in ("man", "bash", "fish", "zsh"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     for program, section in PROGRAMS.items():
         path = str((binaries / program).resolve())
@@ -135,6 +168,7 @@ def main():
             file.write_text(man_page(page, section, version))
         (folder / "bash" / program).write_text(bash(program, pages))
         (folder / "fish" / f"{program}.fish").write_text(fish(program, pages))
+        (folder / "zsh" / f"_{program}").write_text(zsh(program, pages))
 
 
 main()

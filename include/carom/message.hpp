@@ -16,7 +16,7 @@ namespace CAROM_PUBLIC carom {
 // English sentences are.
 #define CAROM_MESSAGES(X)                                                                 \
   X(text, "{0}") /* of unknown origin: the operating system's words, for instance */      \
-  /* What is wrong. */                                                                    \
+  /* Problems of the input. */                                                            \
   X(is, "is {0}")                                                                         \
   X(is_object, "is an object")                                                            \
   X(is_array, "is an array")                                                              \
@@ -77,7 +77,7 @@ namespace CAROM_PUBLIC carom {
   X(is_gone, "is not there any more")                                                     \
   X(cannot_be_opened, "cannot be opened: {0}")                                            \
   X(has_nothing_to_launch, "has nothing to launch")                                       \
-  /* What a player would hold against a sound level. */                                   \
+  /* Objections of a player to a sound level. */                                          \
   X(warning, "warning: {0}")                                                              \
   X(crosses_level_at_once,                                                                \
     "is {0} px: a throw of full strength crosses it in {1} × 0.01 "                      \
@@ -110,7 +110,7 @@ namespace CAROM_PUBLIC carom {
   X(budget_is_used_up,                                                                    \
     "is too large to try everything: the budget of {0} million ball-steps "               \
     "is used up after {1} of {2} throws")                                                 \
-  /* What is expected. {1} or {2} of a number is its unit or another note in brackets. */ \
+  /* Expectations. {1}     or {2} of a number is its unit or another note in brackets. */ \
   X(number_above, "a number greater than {0}{1}")                                         \
   X(number_above_to, "a number greater than {0} and at most {1}{2}")                      \
   X(number_from_to, "a number from {0} to {1}{2}")                                        \

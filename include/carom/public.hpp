@@ -1,4 +1,4 @@
 #pragma once
 
-/// What a shared library shows, whatever the visibility that it is compiled with.
+/// Marks the public symbols of a shared library, whatever visibility it is compiled with.
 #define CAROM_PUBLIC [[gnu::visibility("default")]]

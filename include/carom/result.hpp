@@ -13,15 +13,15 @@
 namespace CAROM_PUBLIC carom {
 
 /// One thing wrong with what the library was given. The library collects errors and never prints.
-/// What is wrong and what was expected are codes with arguments (message.hpp); to_string() makes
+/// Problem and expectation are codes with arguments (message.hpp); to_string() makes
 /// the English sentence of them, and a translation is looked up by code.
 struct Error {
   /// Where: a JSON pointer into the scene ("/balls/3/radius"; "" is the whole), or the name of the
   /// parameter that a function refused ("velocity").
   std::string pointer{};
-  /// What is wrong: "is -8", "is missing", "is an unknown key".
+  /// The problem: "is -8", "is missing", "is an unknown key".
   Message problem{};
-  /// What would have been right: "a number from 0.001 to 1000000000 (px)". Empty: no more to say.
+  /// The expectation: "a number from 0.001 to 1000000000 (px)". Empty: no more to say.
   Message expected{};
   /// Position in the bytes parsed, both from 1, the column counted in bytes; 0 when there are none.
   std::size_t line = 0;

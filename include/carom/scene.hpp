@@ -109,8 +109,8 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// How many pairs of this many balls may overlap at the start: more could be resolved, but a single
-/// step would take minutes.
+/// The number of pairs of this many balls that may overlap at the start: more could be resolved,
+/// but a single step would take minutes.
 constexpr std::size_t max_overlaps(std::size_t balls) { return 20 * balls + 10'000; }
 
 /// All that is wrong with a scene's values (pointers as in its file), at most max_errors of them;

@@ -27,7 +27,8 @@ inline constexpr double rest_speed = 30;      ///< px/s, vmin: slower counts as 
 inline constexpr int max_threads = 64;
 inline constexpr int max_sub_steps = 64;  ///< of one step, docs/physics.md#one-step
 
-/// How a world finds the pairs of balls that may collide. It changes the speed and nothing else.
+/// The way in which a world finds the pairs of balls that may collide. It changes the speed and
+/// nothing else.
 enum class BroadPhase : std::uint8_t {
   automatic,  ///< the quadtree, or what is quicker for a few balls
   quadtree,   ///< O(balls) as long as they do not lie in heaps
@@ -93,12 +94,12 @@ class World {
   /// The ball at an index < size().
   Ball ball(std::size_t index) const { return balls_[index]; }
   /// All of them, for loops over many. Good until the world changes.
-  const Balls& balls() const { return balls_; }
+  BallsView balls() const { return balls_.view(); }
   /// False only for a lead that waits to be placed.
   bool in_play(std::size_t index) const { return index != 0 || !lead_out_; }
   /// Balls in play.
   std::size_t balls_left() const { return balls_.size() - (lead_out_ ? 1 : 0); }
-  /// Whether ball 0 is a cue ball or a projectile.
+  /// True if ball 0 is a cue ball or a projectile.
   bool has_lead() const { return size() > 0 && is_lead(balls_.role[0]); }
 
   /// The index of the ball with an id; none if it is not in play. O(balls).
@@ -163,13 +164,13 @@ class World {
   /// No part of the state: the same bits come out, sooner or later.
   void set_broad_phase(BroadPhase broad_phase) { broad_phase_ = broad_phase; }
 
-  /// Whether steps in which surely nothing meets are passed over quickly (the default) or every one
-  /// is tested. No part of the state: the same bits come out, sooner or later.
+  /// True: steps in which surely nothing meets are passed over quickly (the default); false: every
+  /// one is tested. No part of the state: the same bits come out, sooner or later.
   void set_skipping(bool skipping) { skipping_ = skipping; }
 
-  /// How many threads step() may use, 1 (the default) to max_threads; other numbers are taken as
-  /// the nearest of these. With fewer than 20 000 balls it uses one. No part of the state: the same
-  /// bits come out with every number. Where threads cannot be had, there are fewer.
+  /// The number of threads that step() may use, 1 (the default) to max_threads; other numbers are
+  /// taken as the nearest of these. With fewer than 20 000 balls it uses one. No part of the state:
+  /// the same bits come out with every number. Where threads cannot be had, there are fewer.
   void set_threads(int threads) {
     threads_ = static_cast<std::size_t>(std::clamp(threads, 1, max_threads));
   }
@@ -186,8 +187,8 @@ class World {
   explicit World(Scene scene);
   RunEnd run(Until until, std::uint64_t max_steps, Tell tell, void* sink);
 
-  /// What steps keep belongs to the state it was kept for: a copy starts without, an assignment
-  /// forgets it, but keeps its memory.
+  /// Data cached by steps belongs to the state it was made for: a copy starts without, an
+  /// assignment forgets it, but keeps its memory.
   struct WorkspaceOwner {
     WorkspaceOwner() = default;
     WorkspaceOwner(const WorkspaceOwner&) {}

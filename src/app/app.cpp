@@ -45,6 +45,7 @@ App::App(StartLanguage start, int width, int height, Store& store, Clipboard& cl
       session_(store, clipboard, with_shipped(std::move(levels)), std::move(host)),
       view_(View::of(width, height)),
       stack_(session_.sounds) {
+  given_levels_ = session_.campaign.levels.size();
   session_.system_language = start.language;
   session_.system_reduced_motion = session_.host.reduced_motion;
   if (start.asked) session_.asked_language = start.language;
@@ -221,12 +222,54 @@ void App::open_file(const std::string& name, const std::string& bytes) {
   if (auto read = replay::read_replay(bytes)) return watch(std::move(read).value());
   Level level = read_level(name, bytes);
   if (!level.scene) return refuse(Text::file_refused, problem_of(words_, level));
-  // Kept under a name that says what is in it: the same level again is not a second one.
-  const std::string file = own_levels + level.identity + ".json";
-  const bool kept = store_.save_new(file, bytes).ok();
+  // Saved under a name that says what is in it: the same level again is not a second one.
+  const std::string saved = own_levels + level.identity;
+  const auto earlier = store_.load(saved + ".json");  // as earlier versions saved it
+  const bool kept =
+      (earlier && earlier.value()) || store_.save_new(saved + ".angry-level", bytes).ok();
   level.origin = Origin::own;
   play(std::move(level));
   if (!kept) go(message(words_, words_(Text::level_not_kept), {}));
+}
+
+void App::take_levels(std::vector<Level> own) {
+  Campaign& campaign = session_.campaign;
+  const std::string in_play = stack_.bottom().level_in_play();
+  const Level current = campaign.current < campaign.levels.size()
+                            ? campaign.levels[campaign.current]
+                            : Level{{}, carom::Error{}, {}, {}};
+  std::vector<Level> levels = with_shipped(std::move(own));
+  const auto given = [count = levels.size(),
+                      &levels](const Level& level) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool same_file = level.origin == Origin::own && levels[i].origin == Origin::own &&
+                             levels[i].file == level.file;
+      if (same_file || (level.scene && levels[i].identity == level.identity)) return i;
+    }
+    return std::nullopt;
+  };
+  const std::size_t given_levels = levels.size();
+  for (std::size_t i = given_levels_; i < campaign.levels.size(); ++i)
+    if (!given(campaign.levels[i])) levels.push_back(campaign.levels[i]);
+  std::optional<std::size_t> index = given(current);
+  campaign.levels = std::move(levels);
+  given_levels_ = given_levels;
+  if (!index && current.scene) index = campaign.find(current.identity);
+  campaign.current = index.value_or(0);
+  if (in_play.empty()) return go(stack_.bottom().levels_changed());
+  if (index && !campaign.levels[*index].scene) {
+    toast_.show(problem_of(words_, campaign.levels[*index]));
+    index.reset();
+  }
+  if (!index) {  // what is being played stays
+    campaign.levels.push_back(current);
+    campaign.current = campaign.levels.size() - 1;
+    return;
+  }
+  Navigation anew = stack_.bottom().levels_changed();
+  if (std::holds_alternative<Stay>(anew)) return;
+  go(std::move(anew));
+  toast_.show(words_(Text::level_read_again));
 }
 
 void App::play(Level level) {

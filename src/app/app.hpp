@@ -42,9 +42,12 @@ class App {
   /// Opens what a link carries behind the address, "#replay=TEXT" or "#level=TEXT"; tells the
   /// player if it is wrong. A link without either changes nothing.
   void open_link(std::string_view link);
-  /// Opens a file: a replay is shown; a level is put beside the others, kept, and played. Tells the
+  /// Opens a file: a replay is shown; a level is saved beside the others and played. Tells the
   /// player if it is neither. `name`: for messages and for keeping it.
   void open_file(const std::string& name, const std::string& bytes);
+  /// The player's own levels, read again because a file has changed: the level in play begins anew
+  /// if it is another now, or the player is told what is wrong with it.
+  void take_levels(std::vector<Level> own);
   /// The texts that HostEnvironment::fetch_texts was asked for; of another version they are
   /// refused.
   void take_texts(Language language, std::string file);
@@ -100,6 +103,7 @@ class App {
   Pad pad_;
   nanoseconds quiet_{};  ///< since the last input
   bool quit_requested_ = false;
+  std::size_t given_levels_ = 0;  ///< first in the campaign: all but those opened meanwhile
 };
 
 }  // namespace app

@@ -83,7 +83,7 @@ size_t carom_events(const carom_world* world, const carom_event** events) {
 }
 
 void carom_get_balls(const carom_world* world, carom_balls* to) {
-  const auto& balls = world->world.balls();
+  const carom::BallsView balls = world->world.balls();
   *to = {.size = balls.size(),
          .lead_is_out = balls.size() > 0 && !world->world.in_play(0) ? 1 : 0,
          .x = balls.x.data(),

@@ -64,7 +64,7 @@ void Forecast::begin_clock(const FixedParts& fixed, const Balls& balls) {
   for_each_ball(in_play_, [&](std::size_t i) { note_place(fixed, balls, i); });
   if (fails_) return give_up();
   pack(balls);
-  // What stands is in the predictions of those that move.
+  // A ball that stands is in the predictions of those that move.
   for_each_ball(moving_, [&](std::size_t i) { predict(fixed, balls, i); });
   if (fixed.scene.gravity > 0) wake(moving_);
 }
@@ -106,7 +106,7 @@ bool Forecast::inside(const FixedParts& fixed, const Balls& balls, std::size_t i
          y + radius <= fixed.scene.height;
 }
 
-// Whether no other ball and no hole does anything to a ball that stands as long as all others
+// True if no other ball and no hole does anything to a ball that stands as long as all others
 // stand.
 bool Forecast::stands_clear(const FixedParts& fixed, const Balls& balls, std::size_t i) const {
   const Box& free = fixed.hole_free;
@@ -215,7 +215,7 @@ void Forecast::advance(const FixedParts& fixed, Balls& balls, int steps) const {
                      .steps = steps});
 }
 
-// What touches one of these balls may lose its support with its next move.
+// A ball that touches one of these may lose its support with its next move.
 void Forecast::wake(BallMask moving) {
   for_each_ball(moving, [&](std::size_t i) {
     for_each_ball(near(i), [&](std::size_t j) { set_due(j, always, always, always); });
@@ -303,7 +303,7 @@ void Forecast::settle(const FixedParts& fixed, const Balls& balls, BallMask stru
   // A cushion only turns a ball; under gravity, one that stood may begin to fall.
   const BallMask faster = fixed.scale.straight ? active & (struck | pulled | hot_) : active;
   for_each_ball(faster, [&](std::size_t i) { note_speed(fixed, balls, i); });
-  // What supports them may be another thing in the next step.
+  // Their support may be another one in the next step.
   if (!fixed.scale.straight) hot_ |= active & unsettled, moving_ |= active & unsettled;
   for_each_ball(active, [&](std::size_t i) { predict(fixed, balls, i); });
   if (fixed.scene.gravity > 0) wake(active & moving_);

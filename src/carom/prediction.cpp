@@ -156,7 +156,7 @@ double Forecast::bounded(const FixedParts& fixed, const Balls& balls, std::size_
         most = std::min(most, steps(std::abs(distance.x) - w, distance.x > 0 ? u : -u, 0));
     }
   }
-  // What stands is predicted, too: it may have been hot when those that come near were.
+  // A ball that stands is predicted, too: it may have been hot when those that come near were.
   for_each_ball((moves ? in_play_ : moving_) & ~hot_ & ~one, [&](std::size_t j) {
     if (!(most > 0)) return;
     const bool other_falls = (moving_ & ~held_ & bit(j)) != 0;

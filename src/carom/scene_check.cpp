@@ -80,7 +80,7 @@ class Neighbours {
     build();
   }
 
-  /// Whether more than `most` pairs of balls overlap. Stops when it knows.
+  /// True if more than `most` pairs of balls overlap. Stops when it knows.
   bool more_pairs_than(std::size_t most) {
     if (x_.size() * (x_.size() - 1) / 2 <= most) return false;
     std::size_t pairs = 0;
@@ -98,7 +98,7 @@ class Neighbours {
     return pairs > most;
   }
 
-  /// Whether more than `most` pairs of a hole and a ball's centre in it. Stops when it knows.
+  /// True if more than `most` pairs of a hole and a ball's centre in it. Stops when it knows.
   bool more_in_holes_than(std::size_t most) {
     if (x_.size() * scene_.holes.size() <= most) return false;
     std::size_t pairs = 0;
@@ -246,7 +246,7 @@ class Checker {
       check_one(element, [&] { return list + "/" + std::to_string(&element - elements.data()); });
   }
 
-  // Whether all numbers of an object are in their ranges.
+  // True if all numbers of an object are in their ranges.
   template <class T, std::size_t count, class F>
   bool numbers(const Field<T> (&fields)[count], const T& object, F pointer) {
     bool sound = true;

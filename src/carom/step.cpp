@@ -196,7 +196,7 @@ class Stepper {
     return whole < most ? whole + 1 : whole;
   }
 
-  // Whether a ball may move further than its radius in one step. The squares of both sides are
+  // True if a ball may move further than its radius in one step. The squares of both sides are
   // compared, without root and quotient; the margin is far above what their rounding can change.
   bool any_fast() const {
     constexpr double margin = 1 + 1e-12;
@@ -431,7 +431,7 @@ class Stepper {
     }
   }
 
-  // Whether it put the ball elsewhere.
+  // True if it put the ball elsewhere.
   bool obstacle(std::size_t n, std::size_t i) {
     const Obstacle& obstacle = scene_.obstacles[n];
     const double reach = obstacle.radius + balls_.radius[i];

@@ -37,7 +37,7 @@ World::World(Scene scene) {
   fixed_ = std::make_shared<const FixedParts>(std::move(scene), whole);
 }
 
-// What many balls leave in it may be large, and holds only for them.
+// The data of many balls may be large, and holds only for them.
 World::WorkspaceOwner& World::WorkspaceOwner::operator=(const WorkspaceOwner& other) {
   if (this == &other || !workspace) return *this;
   if (workspace->gone.size() > Forecast::max_balls) {

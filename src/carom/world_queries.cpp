@@ -23,7 +23,7 @@ struct Sweep {
   Vec2 at(double distance) const { return from + distance * along; }
 };
 
-// How far it gets until it touches another disc. What it overlaps already is not met.
+// The distance until it touches another disc. A disc that it overlaps already is not met.
 double distance_to(const Sweep& sweep, Vec2 centre, double radius) {
   const double reach = sweep.radius + radius;
   const Vec2 w = sweep.from - centre;

@@ -103,7 +103,7 @@ Writer::Writer(std::filesystem::path path) : path_(std::move(path)) {
     fail("cannot be opened for writing");
     return;
   }
-  // Who may not do this owns it no less.
+  // A failure here does not make the file less the user's.
   if (replaces && ::fchown(descriptor, old.st_uid, old.st_gid) == 0) errno = 0;
   if (replaces) ::fchmod(descriptor, old.st_mode & 07777);
   file_ = ::fdopen(descriptor, "wb");

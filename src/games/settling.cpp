@@ -17,7 +17,7 @@ constexpr std::uint64_t fixtures_per_ball = 32;  // that take about as long as a
 }  // namespace
 
 std::uint64_t work_of_step(const carom::World& world) {
-  const carom::Balls& balls = world.balls();
+  const carom::BallsView balls = world.balls();
   double divisions = 1;
   for (std::size_t i = 0; i < world.size(); ++i) {
     const carom::Ball ball = balls[i];

@@ -60,7 +60,7 @@ EM_JS(char*, browser_store_list, (const char* folder), {
   const start = "angry-balls/" + UTF8ToString(folder);
   try {
     const names = Object.keys(localStorage).filter(
-      (key) => key.startsWith(start) && key.endsWith(".json") && !key.includes("\n"));
+      (key) => key.startsWith(start) && /\\.(json|angry-level|angry-replay)$/.test(key) && !key.includes("\n"));
     return allocateUTF8(names.map((key) => key.slice("angry-balls/".length) + "\n").join(""));
   } catch (error) {
     return allocateUTF8("");

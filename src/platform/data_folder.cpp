@@ -52,7 +52,8 @@ std::optional<fs::path> config_folder() {
 FolderStore::FolderStore(fs::path data, fs::path config)
     : data_(std::move(data)), config_(std::move(config)) {
   for (const fs::path& folder : {data_, data_ / "replays", config_})
-    files::remove_abandoned(folder, ".json");
+    for (const std::string_view ending : app::listed_endings)
+      files::remove_abandoned(folder, ending);
 }
 
 std::unique_ptr<app::StoreLock> FolderStore::lock() {
@@ -126,7 +127,7 @@ std::vector<std::string> FolderStore::list(const std::string& folder) {
   fs::directory_iterator entry(data_ / folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code ignored;
-    if (entry->path().extension() == ".json" && entry->is_regular_file(ignored))
+    if (app::is_listed(entry->path().filename().string()) && entry->is_regular_file(ignored))
       names.push_back(folder + entry->path().filename().string());
   }
   std::ranges::sort(names);

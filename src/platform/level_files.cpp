@@ -18,6 +18,20 @@ app::Level unreadable(const fs::path& path, const std::error_code& error) {
                    .problem = {carom::MessageCode::cannot_be_opened, {error.message()}}});
 }
 
+/// The files of levels in a folder, by name; as far as it could be read.
+std::vector<fs::path> files_of(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::path> found;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    const fs::path ending = entry->path().extension();
+    if ((ending == ".json" || ending == ".angry-level") && entry->is_regular_file(ignored))
+      found.push_back(entry->path());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
 }  // namespace
 
 std::vector<app::Level> read_levels(const fs::path& file_or_folder) {
@@ -28,15 +42,7 @@ std::vector<app::Level> read_levels(const fs::path& file_or_folder) {
     return {app::read_level(file_or_folder.filename().string(),
                             files::read_text(file_or_folder, files::max_small_file))};
   }
-  std::vector<fs::path> found;
-  fs::directory_iterator entry(file_or_folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    std::error_code ignored;
-    const fs::path ending = entry->path().extension();
-    if ((ending == ".json" || ending == ".angry-level") && entry->is_regular_file(ignored))
-      found.push_back(entry->path());
-  }
-  std::ranges::sort(found);
+  const std::vector<fs::path> found = files_of(file_or_folder, error);
   std::vector<app::Level> levels;
   levels.reserve(found.size());
   for (const fs::path& file : found)
@@ -51,6 +57,18 @@ std::vector<app::Level> read_levels(const std::vector<fs::path>& files_and_folde
   for (const fs::path& path : files_and_folders)
     std::ranges::move(read_levels(path), std::back_inserter(levels));
   return levels;
+}
+
+LevelWatch::Seen LevelWatch::look() const {
+  Seen seen;
+  for (const fs::path& path : paths_) {
+    std::error_code ignored;
+    const std::vector<fs::path> files =
+        fs::is_directory(path, ignored) ? files_of(path, ignored) : std::vector{path};
+    for (const fs::path& file : files)
+      seen.push_back({file, fs::last_write_time(file, ignored), fs::file_size(file, ignored)});
+  }
+  return seen;
 }
 
 }  // namespace platform

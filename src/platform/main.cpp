@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -168,7 +169,18 @@ int play_in_window(const Options& options, app::StartLanguage language,
   }
   platform::GameWindow& game = *window.value();
   if (replay) game.app().watch(std::move(*replay));
-  while (game.iterate()) game.wait();
+  // A level that is being made is shown as its file is now.
+  using std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds between_looks{500};
+  platform::LevelWatch watch(levels);
+  steady_clock::time_point looked = steady_clock::now();
+  while (game.iterate()) {
+    if (const auto now = steady_clock::now(); now - looked >= between_looks) {
+      looked = now;
+      if (watch.changed()) game.app().take_levels(platform::read_levels(levels));
+    }
+    game.wait();
+  }
   return done;
 }
 
@@ -225,7 +237,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? done : bad_input;
   }
-  // What a double click opens.
+  // The argument of a double click.
   if (options.levels.size() == 1 && options.levels[0].extension() == ".angry-replay") {
     options.replay = options.levels[0].string();
     options.levels.clear();

@@ -9,6 +9,7 @@ namespace platform {
 struct Destroy {
   void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
   void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+  void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
   void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
 };
 template <class T>

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/view/icon.hpp"
 #include "files/files.hpp"
 #include "platform/painter.hpp"
 #include "platform/sdl_input.hpp"
@@ -66,6 +67,17 @@ class DesktopClipboard final : public app::Clipboard {
   }
 };
 
+#ifndef __EMSCRIPTEN__
+/// Gives the window its icon, for desktops that find none by the desktop file.
+void set_icon(SDL_Window* window) {
+  app::Image icon = app::draw_icon(64);
+  const Owned<SDL_Surface> surface(SDL_CreateRGBSurfaceWithFormatFrom(
+      icon.pixels.data(), icon.width, icon.height, 32,
+      icon.width * static_cast<int>(sizeof(app::Color)), SDL_PIXELFORMAT_RGBA32));
+  if (surface) SDL_SetWindowIcon(window, surface.get());
+}
+#endif
+
 /// Signs that lie on other keys with every keyboard's layout.
 std::optional<app::Key> typed_key(std::string_view typed) {
   if (typed == "+" || typed == "=") return app::Key::plus;
@@ -84,6 +96,9 @@ class SdlWindow final : public GameWindow {
         app_(setup.language, setup.width, setup.height, setup.store,
              setup.clipboard ? *setup.clipboard : desktop_clipboard_, std::move(setup.levels),
              std::move(setup.host)) {
+#ifndef __EMSCRIPTEN__
+    set_icon(window_.get());
+#endif
     SDL_SetWindowMinimumSize(window_.get(), setup.least_width, setup.least_height);
     measure();
     app_.name_keys(label_of);

@@ -24,7 +24,7 @@ constexpr std::size_t max_text = max_bytes / 3 * 4 + 4;
 constexpr std::array<std::string_view, 12> blanks{" ",      "\t",     "\v",     "\f",
                                                   "\u00a0", "\u00ad", "\u200b", "\u2028",
                                                   "\u2029", "\u202f", "\u2060", "\ufeff"};
-// What stands around one in a sentence.
+// Signs around one in a sentence.
 constexpr std::array<std::string_view, 24> around{
     "<", ">", "(", ")", "[", "]", "{",      "}",      "\"",     "'",      "`",      ".",
     ",", ";", ":", "!", "?", "*", "\u201c", "\u201d", "\u2018", "\u2019", "\u00ab", "\u00bb"};
@@ -179,7 +179,7 @@ std::string pack(char version, std::string payload) {
 }
 
 carom::Result<std::string> unpack(std::string_view pasted, char version, std::string_view what) {
-  // What is much longer even folded is not looked at.
+  // A much longer text, even folded, is not looked at.
   const std::string text = pasted.size() > 2 * max_text ? std::string() : pasted_text(pasted);
   using Code = carom::MessageCode;
   if (pasted.size() > 2 * max_text || text.size() > max_text)

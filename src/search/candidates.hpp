@@ -40,8 +40,8 @@ class Candidates {
     carom::Vec2 way{};    ///< the red's to the hole, a unit vector
   };
 
-  /// What comes of a throw after some steps: it is `way` times its first velocity on, and fell so
-  /// far.
+  /// The place of a throw's ball after some steps: it is `way` times its first velocity on, and
+  /// fell so far.
   struct Flight {
     double way = 0;   ///< s
     double fall = 0;  ///< px

@@ -5,7 +5,7 @@
 
 namespace search {
 
-/// How exactly a player launches: the error of the drag, Gaussian along it and across it, alike.
+/// A player's precision: the error of the drag, Gaussian along it and across it, alike.
 struct Hand {
   /// px of drag in the world, the standard deviation of each; 1 px is 5 px/s. 0: exact, as a player
   /// is who types the numbers.

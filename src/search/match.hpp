@@ -12,7 +12,7 @@ namespace search {
 /// A game that still goes on then is decided by its points.
 inline constexpr int most_turns = 1000;
 
-/// How a game went; arrays by side, as in play_game().
+/// The course of a game; arrays by side, as in play_game().
 struct GameResult {
   std::optional<int> winner{};  ///< none: a draw
   std::array<std::int64_t, 2> points{};

@@ -14,7 +14,7 @@
 
 namespace search {
 
-/// How well the computer plays: by facts that can be told, its hand and how many shots it looks at.
+/// A level of the computer, by facts: its hand and the number of shots it looks at.
 struct Level {
   std::string_view name;  ///< "casual"; the interface has words and a face for it
   Hand hand;
@@ -39,7 +39,7 @@ inline constexpr std::array<Level, 10> levels{{
     {"machine", {0}, 22},
 }};
 
-/// What the computer does in a turn.
+/// The computer's decision in a turn.
 struct Decision {
   Shot meant{};        ///< the place for the cue ball in hand is taken as it is
   carom::Vec2 drag{};  ///< px, what its hand makes of the aim: for Shoot or Throw

@@ -24,10 +24,10 @@ struct TurnReview {
   Estimate played_value;  ///< of as many
   std::int64_t made = 0;  ///< what the turn came to
 
-  /// What the choice of the shot cost: the best value found less that of the shot played; 0 if that
-  /// was none worse.
+  /// The cost of the choice of the shot: the best value found less that of the shot played; 0 if
+  /// that was none worse.
   double decision() const;
-  /// What came of it less what was to be expected.
+  /// The outcome less its expectation.
   double luck() const;
 };
 

@@ -17,7 +17,7 @@
 /// on every machine, for every number of threads and however the work is cut into slices.
 namespace search {
 
-/// How much is simulated: never a time, which would make answers depend on the machine.
+/// The amount simulated: never a time, which would make answers depend on the machine.
 struct Budget {
   std::uint64_t simulations = 1000;  ///< to find the shots; at least 1
   /// To tell what each shot found is worth, from seeds that chose nothing: what a search saw of the

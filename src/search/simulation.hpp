@@ -10,14 +10,14 @@
 
 namespace search {
 
-/// What a player decides for a turn.
+/// A player's decision for a turn.
 struct Shot {
   std::optional<carom::Vec2> place{};  ///< px, where the cue ball in hand goes first
   Aim aim{};
   friend bool operator==(const Shot&, const Shot&) = default;
 };
 
-/// What came of one shot.
+/// The outcome of one shot.
 struct Trial {
   std::int64_t points = 0;
   std::uint32_t enemies_out = 0;  ///< in a level

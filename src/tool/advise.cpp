@@ -94,7 +94,7 @@ carom::Result<search::Game> game_of_scene(std::string_view bytes) {
   return search::Game(std::move(level).value());
 }
 
-/// What an exact hand makes is certain, however often it is played.
+/// The outcome of an exact hand is certain, however often it is played.
 nlohmann::ordered_json interval(const AdviseOptions& options, const search::Estimate& estimate) {
   const bool certain = options.hand <= 0;
   return {{"mean", estimate.mean},

@@ -39,7 +39,7 @@ class Busy {
   Busy(const Busy&) = delete;
   Busy& operator=(const Busy&) = delete;
 
-  /// How much is done, from 0 to 1, where that is known.
+  /// The part that is done, from 0 to 1, where that is known.
   void set_part(double part) { per_cent_ = static_cast<int>(part * 100); }
 
  private:

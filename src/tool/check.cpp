@@ -1,10 +1,16 @@
 #include "tool/check.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -21,38 +27,122 @@ namespace tool {
 
 namespace {
 
-int check(const std::string& path) {
+/// The outcome for one level.
+struct Checked {
+  carom::Errors errors{};
+  carom::Errors warnings{};
+  bool complete = true;  ///< all that the check tries was tried
+};
+
+Checked check(const std::string& path) {
   std::optional<Busy> busy("reading " + shown_name(path));
   const auto bytes = files::read_text(path);
-  if (!bytes) {
-    busy.reset();
-    return report(bytes.errors(), path);
-  }
+  if (!bytes) return {.errors = bytes.errors()};
   const auto level = games::angry_balls::read_level(bytes.value());
+  if (!level) return {.errors = level.errors()};
   busy.reset();
-  if (!level) return report(level.errors(), path);
   busy.emplace("trying " + shown_name(path));
   games::angry_balls::LevelReport tried =
       games::angry_balls::level_report(level.value(), games::angry_balls::level_check_budget,
                                        [&busy](double part) { busy->set_part(part); });
-  busy.reset();
-  for (carom::Error& warning : carom::locate(bytes.value(), std::move(tried.warnings))) {
+  return {.warnings = carom::locate(bytes.value(), std::move(tried.warnings)),
+          .complete = tried.complete};
+}
+
+void print_text(const std::string& path, const Checked& checked) {
+  report(checked.errors, path);
+  for (carom::Error warning : checked.warnings) {
     warning.problem = {carom::MessageCode::warning, {carom::to_string(warning.problem)}};
     std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
   }
-  std::printf("%s: ok\n", shown_name(path).c_str());
-  return done;
+  if (checked.errors.empty()) std::printf("%s: ok\n", shown_name(path).c_str());
+}
+
+nlohmann::ordered_json json_of(const carom::Errors& errors) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const carom::Error& error : errors) {
+    nlohmann::ordered_json one = nlohmann::ordered_json::object();
+    if (error.line != 0) one["line"] = error.line;
+    if (error.column != 0) one["column"] = error.column;
+    one["pointer"] = error.pointer;
+    one["code"] = carom::name(error.problem.code);
+    one["problem"] = carom::to_string(error.problem);
+    if (!error.expected.empty()) one["expected"] = carom::to_string(error.expected);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+nlohmann::ordered_json json_of(const std::string& path, const Checked& checked) {
+  return {{"level", shown_name(path)},
+          {"ok", checked.errors.empty()},
+          {"errors", json_of(checked.errors)},
+          {"warnings", json_of(checked.warnings)},
+          {"complete", checked.complete}};
+}
+
+int check_all(const std::vector<std::string>& levels, bool json) {
+  int status = done;
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const std::string& level : levels) {
+    const Checked checked = check(level);
+    if (!checked.errors.empty()) status = wrong_input;
+    if (json)
+      all.push_back(json_of(level, checked));
+    else
+      print_text(level, checked);
+  }
+  if (json) std::printf("%s\n", nlohmann::ordered_json{{"levels", all}}.dump(2).c_str());
+  return status;
+}
+
+// A change of a file: its time and size, as far as they can be known.
+using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
+
+Stamp stamp(const std::string& path) {
+  std::error_code none;
+  const auto time = std::filesystem::last_write_time(path, none);
+  if (none) return {};
+  return {time, std::filesystem::file_size(path, none)};
+}
+
+// Checks each level again whenever its file has changed, until the program is ended.
+[[noreturn]] void watch(const std::vector<std::string>& levels, bool json) {
+  std::vector<std::optional<Stamp>> seen(levels.size());
+  while (true) {
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const Stamp now = stamp(levels[i]);
+      if (seen[i] == now) continue;
+      seen[i] = now;
+      const Checked checked = check(levels[i]);
+      if (json)
+        std::printf("%s\n", json_of(levels[i], checked).dump().c_str());
+      else
+        print_text(levels[i], checked);
+      std::fflush(stdout);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
 }
 
 }  // namespace
 
 void add_check(CLI::App& carom, int& status) {
-  const auto levels = std::make_shared<std::vector<std::string>>();
+  struct Options {
+    std::vector<std::string> levels;
+    bool json = false;
+    bool watch = false;
+  };
+  const auto options = std::make_shared<Options>();
   CLI::App* command = carom.add_subcommand("check", "Say what is wrong with a level.");
-  command->add_option("level", *levels, "Level files (JSON); - is standard input")
+  command->add_option("level", options->levels, "Level files (JSON); - is standard input")
       ->required()
       ->check(cli::file_name())
       ->option_text("LEVEL...");
+  command->add_flag("--json", options->json, "Print one JSON object with errors and warnings");
+  command->add_flag(
+      "--watch", options->watch,
+      "Check again whenever a file changes, until Ctrl-C; with --json, a line per check");
   command->footer(
       "Says \"ok\", or every error with line, column, pointer and what was expected. Warns of "
       "what\n"
@@ -64,10 +154,11 @@ void add_check(CLI::App& carom, int& status) {
       "wrong usage.\n\n"
       "Examples:\n"
       "  carom check levels/01-first-steps.json\n"
-      "  carom check levels/*.json");
-  command->callback([levels, &status] {
-    for (const std::string& level : *levels)
-      if (check(level) != done) status = wrong_input;
+      "  carom check levels/*.json\n"
+      "  carom check --json levels/01-first-steps.json");
+  command->callback([options, &status] {
+    if (options->watch) watch(options->levels, options->json);
+    status = check_all(options->levels, options->json);
   });
 }
 

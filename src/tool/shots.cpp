@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,7 @@ carom::Vec2 random_velocity(games::Random& random) {
   }
 }
 
-/// How often each value came.
+/// The count of each value.
 class Distribution {
  public:
   void add(std::uint64_t value) {
@@ -132,11 +133,11 @@ class Block {
 
  private:
   End keep(const carom::World& world, const games::Outcome& outcome, std::size_t k) {
-    const carom::Balls& balls = world.balls();
+    const carom::BallsView balls = world.balls();
     const std::ptrdiff_t first = world.in_play(0) ? 0 : 1;
     double* to = &numbers_[k * balls_ * 4];
-    for (const std::vector<double>* numbers : {&balls.x, &balls.y, &balls.vx, &balls.vy})
-      to = std::copy(numbers->begin() + first, numbers->end(), to);
+    for (const std::span<const double> numbers : {balls.x, balls.y, balls.vx, balls.vy})
+      to = std::copy(numbers.begin() + first, numbers.end(), to);
     std::copy(balls.id.begin() + first, balls.id.end(), &ids_[k * balls_]);
     return {.outcome = outcome, .balls_left = world.balls_left()};
   }

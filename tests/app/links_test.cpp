@@ -89,11 +89,19 @@ TEST_F(Links, AFileIsOpenedByItsContents) {
   const auto kept = app::kept_levels(store);
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(kept[0].name, "Mine");
+  EXPECT_TRUE(store.list("levels/")[0].ends_with(".angry-level"));
   for (const char* wrong : {"", "{}", "\xff\xfe", "[[[[", "no file of ours"}) {
     game.app().open_file("wrong", wrong);
     EXPECT_TRUE(game.says("This file cannot be opened")) << game.title();
   }
   EXPECT_EQ(store.list("levels/").size(), 1U);
+}
+
+TEST_F(Links, ALevelThatAnEarlierVersionSaved_IsNotSavedAgain) {
+  const std::string name = "levels/" + app::read_level("mine.json", own_level).identity + ".json";
+  ASSERT_TRUE(store.save(name, own_level));
+  game.app().open_file("mine.json", own_level);
+  EXPECT_EQ(store.list("levels/"), std::vector<std::string>{name});
 }
 
 TEST_F(Links, ACopiedReplayIsALinkOnAPage) {

@@ -132,8 +132,8 @@ TEST_P(ReplayScreenTest, IsSavedUnderANameOfItsOwnAndCopiedAsText) {
   press("Save");
   EXPECT_EQ(store.load("replays/replay-0004.json").value(), "mine");
   const std::string json = replay::write_json(replay);
-  EXPECT_EQ(store.load("replays/replay-0005.json").value(), json);
-  EXPECT_EQ(store.load("replays/replay-0006.json").value(), json);
+  EXPECT_EQ(store.load("replays/replay-0005.angry-replay").value(), json);
+  EXPECT_EQ(store.load("replays/replay-0006.angry-replay").value(), json);
   press("Copy");
   EXPECT_EQ(clipboard.text(), replay::write_text(replay));
 }
@@ -149,7 +149,23 @@ TEST_P(ReplayScreenTest, OneFromATextIsSavedWithAllBits) {
   }
   for (int i = 0; i < 7; ++i) pasted.event(app::KeyPressed{Key::tab});
   pasted.event(app::KeyPressed{Key::enter});
-  EXPECT_EQ(store.load("replays/replay-0001.json").value(), replay::write_json(replay));
+  EXPECT_EQ(store.load("replays/replay-0001.angry-replay").value(), replay::write_json(replay));
+}
+
+TEST(SavedReplays, OfBothEndings_AreListedAndReadEach) {
+  app::MemoryStore store;
+  const std::string won = project_file("tests/replays/level-09-won.json");
+  const std::string table = project_file("tests/replays/billiards-whole.json");
+  ASSERT_TRUE(store.save("replays/a.angry-replay", won));
+  ASSERT_TRUE(store.save("replays/a.json", table));
+  ASSERT_TRUE(store.save("replays/b.json", table));
+  ASSERT_TRUE(store.save("replays/c.angry-level", "{}"));
+  const app::SavedReplays saved(store);
+  EXPECT_EQ(saved.names(), (std::vector<std::string>{"a", "a.json", "b"}));
+  EXPECT_TRUE(saved.load("a").value().level);
+  EXPECT_FALSE(saved.load("a.json").value().level);
+  EXPECT_FALSE(saved.load("b").value().level);
+  EXPECT_FALSE(saved.load("c"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReplayScreenTest,

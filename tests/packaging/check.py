@@ -70,6 +70,11 @@ def main():
                 sys.exit(f"{words}: {completed(carom, *words)}")
         if "-l hash" not in (folder / "fish/carom.fish").read_text():
             sys.exit("fish does not know --hash")
+        for program in ("carom", "angry-balls"):
+            run("zsh", "-n", folder / f"zsh/_{program}")
+        for part in ("'check:", "'--hash[", "'--broad-phase[", ":(pairs quadtree)'", ":FILE:_files'"):
+            if part not in (folder / "zsh/_carom").read_text():
+                sys.exit(f"zsh does not know {part}")
     for program, *commands in (("carom", "simulate", "check", "shots"), ("angry-balls",)):
         for words in ([], *([command] for command in commands)):
             for line in run(build / program, *words, "--help").splitlines():

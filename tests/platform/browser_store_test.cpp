@@ -60,7 +60,7 @@ char* browser_store_list(const char* folder) {
   if (!page.refuses)
     // Object.keys() promises no order.
     for (auto text = page.texts.rbegin(); text != page.texts.rend(); ++text)
-      if (text->first.starts_with(folder) && text->first.ends_with(".json"))
+      if (text->first.starts_with(folder) && app::is_listed(text->first))
         names += text->first + '\n';
   return allocated(names);
 }
@@ -110,9 +110,11 @@ TEST_F(BrowserStoreTest, ATextSetAsideNeverTakesAnothersName) {
 }
 
 TEST_F(BrowserStoreTest, NamesOfAFolderComeInOrder) {
-  for (const char* name : {"replays/b.json", "replays/a.json", "settings.json", "replays/c.txt"})
+  for (const char* name :
+       {"replays/b.json", "replays/a.angry-replay", "settings.json", "replays/c.txt"})
     ASSERT_TRUE(store.save(name, "{}"));
-  EXPECT_EQ(store.list("replays/"), (std::vector<std::string>{"replays/a.json", "replays/b.json"}));
+  EXPECT_EQ(store.list("replays/"),
+            (std::vector<std::string>{"replays/a.angry-replay", "replays/b.json"}));
   EXPECT_TRUE(store.list("levels/").empty());
 }
 

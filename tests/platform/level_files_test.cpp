@@ -47,6 +47,22 @@ TEST_F(LevelFiles, AnEmptyFolderHasNone) {
   EXPECT_TRUE(platform::read_levels(folder / "empty").empty());
 }
 
+TEST_F(LevelFiles, AreWatchedForChanges) {
+  platform::LevelWatch watch({folder / "inner", folder / "a.json", folder / "none.json"});
+  EXPECT_FALSE(watch.changed());
+  std::ofstream(folder / "a.json") << "{}";
+  EXPECT_TRUE(watch.changed());
+  EXPECT_FALSE(watch.changed());
+  std::ofstream(folder / "inner/d.angry-level") << "{}";
+  EXPECT_TRUE(watch.changed());
+  fs::remove(folder / "inner/c.json");
+  EXPECT_TRUE(watch.changed());
+  std::ofstream(folder / "none.json") << "{}";
+  EXPECT_TRUE(watch.changed());
+  std::ofstream(folder / "notes.txt") << "not watched";
+  EXPECT_FALSE(watch.changed());
+}
+
 TEST_F(LevelFiles, ADeviceIsNotALevel) {
   const auto levels = platform::read_levels("/dev/zero");
   ASSERT_EQ(levels.size(), 1u);

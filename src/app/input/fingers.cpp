@@ -8,7 +8,7 @@ std::vector<Input> Fingers::event(const Finger& finger) {
   const bool pointer = pointer_ == finger.id;
   switch (finger.phase) {
     case Finger::Phase::down:
-      // A finger whose lifting was never told comes down again.
+      // A finger whose lifting was never reported comes down again.
       if (std::ranges::find(down_, finger.id) == down_.end()) down_.push_back(finger.id);
       if (down_.size() == 1) {
         pointer_ = finger.id;

@@ -14,7 +14,7 @@ inline constexpr double least_aim_speed = 31;
 ///
 /// A launch lies on the grid of replays (games::on_grid): drag() is the grid point nearest
 /// to what was set, so it can be up to 0.06 px/s off, and 0.02° at 200 px/s. The exact value is
-/// kept beneath, so small steps add up: ten of 0.1° are 1°.
+/// stored beneath, so small steps add up: ten of 0.1° are 1°.
 class Aim {
  public:
   /// Starts, or goes on, with this drag (world px, from the first click to the second, §1.4.1).

@@ -19,7 +19,7 @@ class AimDrag {
             ///< makes one such step
     meter,  ///< sets the strength, from 0 at its left end to the greatest at its right end
   };
-  /// What can be held, window px.
+  /// The handles, window px.
   struct Place {
     Viewport viewport;
     View view;

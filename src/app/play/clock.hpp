@@ -13,7 +13,7 @@ inline constexpr Speed slow_motion{1};
 inline constexpr Speed fast_forward{16};
 
 /// Turns the time that frames take into the simulation's steps of 10 ms, whatever the monitor's
-/// rate. What is left of a frame is kept for the next: nothing is rounded away.
+/// rate. The rest of a frame is carried to the next: nothing is rounded away.
 class Clock {
  public:
   static constexpr nanoseconds step{10'000'000};  ///< carom::time_step

@@ -10,7 +10,7 @@ using carom::Vec2;
 
 constexpr double first_drag = 100;  ///< px: 500 px/s
 
-/// How far `point` is from the straight way between two others, px.
+/// The distance of `point` from the straight way between two others, px.
 double distance(Vec2 point, Vec2 from, Vec2 to) {
   const Vec2 way = to - from;
   const double t = std::clamp(carom::dot(point - from, way) / carom::length_squared(way), 0.0, 1.0);

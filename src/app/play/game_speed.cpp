@@ -46,7 +46,7 @@ Speed GameSpeed::pass(nanoseconds elapsed) {
   const bool slow = slow_left_ > nanoseconds{0};
   slow_left_ = std::max(slow_left_ - elapsed, nanoseconds{0});
   if (pressed_) *pressed_ += elapsed;
-  // Who is in a hurry does not want it.
+  // Not wanted by a player in a hurry.
   if (fast_ || (pressed_ && *pressed_ > touch_time)) return fast_forward;
   if (slow || !easing_) return slow ? slow_motion : real_speed;
   eased_ = std::min(eased_ + elapsed, ease_time);

@@ -11,8 +11,8 @@
 
 namespace app {
 
-/// The game on a screen, recorded. It is kept as the one in progress, to be continued; or, in
-/// practice, throws can be taken back and repeated, and nothing is kept.
+/// The game on a screen, recorded. It is saved as the one in progress, to be continued; or, in
+/// practice, throws can be taken back and repeated, and nothing is saved.
 ///
 /// `Game` is games::billiards::Game or games::angry_balls::Game.
 template <class Game>
@@ -89,7 +89,7 @@ class Played {
 
  private:
   void restarted() {
-    // The game given up is kept until the new one has a launch to keep in its place.
+    // The game given up stays saved until the new one has a launch to save in its place.
     if (practice_) practice_->restart();
   }
 

@@ -90,6 +90,11 @@ void AngryBallsScreen::after_step() {
   if (carom::length(at - last) >= trace_spacing * game().level().width) trace_.push_back(at);
 }
 
+Navigation AngryBallsScreen::levels_changed() {
+  if (campaign_.levels[campaign_.current].identity == level_in_play()) return Stay{};
+  return PlayLevel{campaign_.current, played_.practice().has_value()};
+}
+
 Navigation AngryBallsScreen::next_game() {
   return PlayLevel{*campaign_.next(), played_.practice().has_value()};
 }
@@ -152,9 +157,9 @@ std::optional<Ask> AngryBallsScreen::own_window() {
   if (settings.go_on || settings.go_on_offered || !between ||
       session_.needless_clicks < needless_clicks)
     return std::nullopt;
-  Settings told = settings;
-  told.go_on_offered = true;
-  session_.settings.set(std::move(told));
+  Settings changed = settings;
+  changed.go_on_offered = true;
+  session_.settings.set(std::move(changed));
   return Ask{.dialog = Dialog(words_(Text::ask_go_on), {{words_(Text::ask_go_on_line), {}, {}}},
                               {{yes, words_(Text::yes), words_(Text::tip_go_on)},
                                {no, words_(Text::no), words_(Text::tip_go_on)}}),

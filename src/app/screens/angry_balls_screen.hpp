@@ -11,7 +11,7 @@
 namespace app {
 
 /// The campaign's current level, from the first throw to the end; in practice throws can be taken
-/// back and nothing is kept.
+/// back and nothing is saved.
 class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextOffer> {
  public:
   /// The level must be one that can be played.
@@ -19,6 +19,9 @@ class AngryBallsScreen final : public PlayScreen<games::angry_balls::Game, NextO
   /// Goes on with a game of the campaign's current level. `place`: where it is saved.
   AngryBallsScreen(const Words& words, Session& session, LevelRecorder played,
                    KeptGames::Place place = {});
+
+  std::string level_in_play() const override { return level_of(game().level()).identity; }
+  Navigation levels_changed() override;
 
  private:
   Doing doing() const override;

@@ -8,7 +8,7 @@
 namespace app {
 
 /// A game of billiards for two, from the first shot to the end; or a table to practise on, where
-/// shots can be taken back and nothing is kept.
+/// shots can be taken back and nothing is saved.
 class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBall> {
  public:
   enum class Mode : std::uint8_t { game, practice };

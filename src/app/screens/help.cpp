@@ -74,7 +74,7 @@ void Help::lay_out() {
                       Section{Text::help_pad_title, Text::help_pad}};
   lay_out(in_order);
   if (pages_ == 1) return;
-  // How one plays by the hand in use comes first.
+  // The part about the input device in use comes first.
   const auto own = std::ranges::find(in_order, own_section(words_.hand()), &Section::lines);
   std::rotate(in_order.begin(), own, own + 1);
   lay_out(in_order);

@@ -18,6 +18,7 @@ class LevelMenu final : public Screen {
   Navigation event(const Input& input) override;
   void draw(Canvas& canvas) const override;
   std::string describe() const override;
+  Navigation levels_changed() override { return ShowLevels{}; }
 
  private:
   /// Beside the levels, an item of the list each.

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// Plays the game kept, unseen and as fast as it goes, up to where it was left, and proves it on
+/// Plays the saved game, unseen and as fast as it goes, up to where it was left, and proves it on
 /// the way. One that does not go as recorded is refused.
 class LoadScreen final : public Screen {
  public:
@@ -30,7 +30,7 @@ class LoadScreen final : public Screen {
   Words words_;
   Session& session_;
   KeptGames::Kept kept_;
-  std::optional<replay::Player> player_;  ///< none: the game kept cannot even begin
+  std::optional<replay::Player> player_;  ///< none: the saved game cannot even begin
   Buttons buttons_;
   Rect panel_;
 };

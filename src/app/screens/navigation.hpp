@@ -60,7 +60,7 @@ struct Load {
 /// Goes on with a game that was loaded. Its level, if it has one, is the campaign's current one.
 struct Resume {
   std::variant<BilliardsRecorder, LevelRecorder> game;
-  KeptGames::Place place;  ///< where it is kept
+  KeptGames::Place place;  ///< where it is saved
 };
 struct ShowReplays {};
 

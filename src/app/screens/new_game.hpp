@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// The choice of a game of billiards, over the title: players, rack and house rules. It is kept,
+/// The choice of a game of billiards, over the title: players, rack and house rules. It is saved,
 /// and the title's "Billiards" starts the same again.
 class NewGame final : public Screen {
  public:

@@ -47,6 +47,11 @@ class Screen {
   /// The ball that is the player's to aim or to place now: then sticks steer it. None otherwise.
   virtual std::optional<AimPrompt> aim_prompt() const { return std::nullopt; }
   virtual Letters letters() const { return Letters::commands; }
+
+  /// The identity of the level in play (level.hpp); empty if none is.
+  virtual std::string level_in_play() const { return {}; }
+  /// Shows the campaign's levels, which have changed: where to go to show them anew.
+  virtual Navigation levels_changed() { return Stay{}; }
 };
 
 }  // namespace app

@@ -19,6 +19,8 @@ class ScreenStack {
   /// Opens a screen over the others.
   void cover(std::unique_ptr<Screen> screen);
 
+  /// The screen under all others.
+  Screen& bottom() { return *screens_.front(); }
   bool empty() const { return screens_.empty(); }
   Screen& top() { return *screens_.back(); }
   const Screen& top() const { return *screens_.back(); }

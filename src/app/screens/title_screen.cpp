@@ -232,8 +232,8 @@ Navigation TitleScreen::choose(Choice choice) {
   return Quit{};
 }
 
-/// Settings that could not be read, or a game kept that cannot be continued, and what became of the
-/// file.
+/// Settings that could not be read, or a saved game that cannot be continued, and what became of
+/// the file.
 std::optional<Ask> TitleScreen::opens() {
   if (const auto trouble = session_.settings.take_trouble();
       trouble != KeptSettings::Trouble::none) {

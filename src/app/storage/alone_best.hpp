@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// The fewest shots in which tables were cleared alone, a list for each kind of table, kept in a
+/// The fewest shots in which tables were cleared alone, a list for each kind of table, saved in a
 /// Store.
 class AloneBest {
  public:

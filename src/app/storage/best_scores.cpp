@@ -55,7 +55,7 @@ bool BestScores::record(const std::string& identity, std::int64_t score) {
 }
 
 void BestScores::save() {
-  // What could not be read back is not written.
+  // Nothing is written that could not be read back.
   if (best_.size() > most_scores || !store_.save(file, text_of(best_)))
     trouble_ = Trouble::not_kept;
   else if (trouble_ == Trouble::not_kept)

@@ -9,12 +9,12 @@
 
 namespace app {
 
-/// The best score of every level won, by the level's identity (level.hpp), kept in a Store.
+/// The best score of every level won, by the level's identity (level.hpp), saved in a Store.
 class BestScores {
  public:
   enum class Trouble : std::uint8_t {
     none,
-    set_aside,  ///< some of what was stored was no score; it is kept under another name
+    set_aside,  ///< some of what was stored was no score; it is saved under another name
     not_kept,   ///< the store does not work: scores last until the program ends
   };
 

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// Where a level comes from. It is told by the level, never by its name.
+/// Where a level comes from. Known from the level's contents, never from its name.
 enum class Origin : std::uint8_t {
   shipped,  ///< part of the program
   own,      ///< a file of the player's

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// Why something is not taken for a replay, as the player is told.
+/// Why something is not taken for a replay, as reported to the player.
 enum class ReplayFault : std::uint8_t {
   unreadable,     ///< there, and not to be read
   damaged,        ///< cut off, changed, or never was one

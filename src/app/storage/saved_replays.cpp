@@ -4,6 +4,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "replay/player.hpp"
 #include "replay/replay_file.hpp"
@@ -12,7 +13,8 @@ namespace app {
 namespace {
 
 const std::string folder = "replays/";
-const std::string ending = ".json";
+const std::string ending = ".angry-replay";
+const std::string earlier_ending = ".json";  // of earlier versions, and of files put there by hand
 constexpr std::string_view stem = "replay-";
 constexpr std::size_t digits = 4;
 
@@ -31,25 +33,32 @@ std::string numbered(unsigned number) {
   return std::string(stem) + text;
 }
 
-std::string file_of(const std::string& name) {
-  std::string file = folder;
-  return file.append(name).append(ending);
+std::string without_ending(const std::string& file) {
+  const std::string& end = file.ends_with(ending) ? ending : earlier_ending;
+  return file.substr(folder.size(), file.size() - folder.size() - end.size());
 }
 
 }  // namespace
 
 std::vector<std::string> SavedReplays::names() const {
   std::vector<std::string> names;
-  for (const std::string& file : store_.list(folder))
-    names.push_back(file.substr(folder.size(), file.size() - folder.size() - ending.size()));
+  for (const std::string& file : store_.list(folder)) {
+    if (!file.ends_with(ending) && !file.ends_with(earlier_ending)) continue;
+    std::string name = without_ending(file);
+    // Two files may differ by their endings only; ".angry-replay" comes first.
+    if (std::ranges::find(names, name) != names.end()) name = file.substr(folder.size());
+    names.push_back(std::move(name));
+  }
   return names;
 }
 
 carom::Result<replay::Replay> SavedReplays::load(const std::string& name) const {
-  const auto stored = store_.load(file_of(name));
-  if (!stored) return stored.errors();
-  if (!stored.value()) return carom::Error{.pointer = name, .problem = carom::MessageCode::is_gone};
-  return replay::read_replay(*stored.value());
+  for (const std::string& end : {ending, earlier_ending, std::string()}) {
+    const auto stored = store_.load(folder + name + end);
+    if (!stored) return stored.errors();
+    if (stored.value()) return replay::read_replay(*stored.value());
+  }
+  return carom::Error{.pointer = name, .problem = carom::MessageCode::is_gone};
 }
 
 carom::Result<std::string> SavedReplays::save(const replay::Replay& replay) {
@@ -65,7 +74,7 @@ carom::Result<std::string> SavedReplays::save(const replay::Replay& replay) {
   // Another window may be quicker and take the name.
   for (int tries = 0; tries < 100; ++tries) {
     const std::string name = numbered(++number);
-    const auto saved = store_.save_new(file_of(name), text);
+    const auto saved = store_.save_new(folder + name + ending, text);
     if (!saved) return saved.errors();
     if (saved.value()) return name;
   }

@@ -15,7 +15,7 @@ class SavedReplays {
   /// The store must outlive this.
   explicit SavedReplays(Store& store) : store_(store) {}
 
-  /// Names such as "replay-0001", in order.
+  /// Names such as "replay-0001", in order of their files.
   std::vector<std::string> names() const;
   carom::Result<replay::Replay> load(const std::string& name) const;
   /// Saves under a name of its own, which it gives; never over another. Fills short hashes in

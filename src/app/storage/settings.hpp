@@ -76,12 +76,12 @@ struct FinishedGame {
 /// the one who did not have it.
 int first_player(Breaks breaks, const std::optional<FinishedGame>& last);
 
-/// The settings, kept in a Store after every change.
+/// The settings, saved in a Store after every change.
 class KeptSettings {
  public:
   enum class Trouble : std::uint8_t {
     none,
-    set_aside,  ///< what was stored were no settings; they are kept under another name
+    set_aside,  ///< what was stored were no settings; they are saved under another name
     not_kept,   ///< the store does not work: changes last until the program ends
   };
 
@@ -93,7 +93,7 @@ class KeptSettings {
   /// there is.
   void set(Settings settings);
   Trouble trouble() const { return trouble_; }
-  /// The trouble of the start, to be told once.
+  /// The trouble of the start, to be reported once.
   Trouble take_trouble();
 
  private:

@@ -33,7 +33,7 @@ carom::Status MemoryStore::set_aside(const std::string& name) {
 std::vector<std::string> MemoryStore::list(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& [name, text] : texts_)
-    if (name.starts_with(folder) && name.ends_with(".json")) names.push_back(name);
+    if (name.starts_with(folder) && is_listed(name)) names.push_back(name);
   return names;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "carom/result.hpp"
@@ -12,6 +15,14 @@ namespace app {
 
 /// The name of the settings, which the platform keeps where settings lie; all else are data.
 inline constexpr const char* settings_file = "settings.json";
+
+/// Endings of the names that Store::list() gives. A double click opens the first two.
+inline constexpr std::array<std::string_view, 3> listed_endings{".angry-level", ".angry-replay",
+                                                                ".json"};
+inline bool is_listed(std::string_view name) {
+  return std::ranges::any_of(listed_endings,
+                             [&](std::string_view ending) { return name.ends_with(ending); });
+}
 
 /// Held by one window at a time, as long as it reads, changes and writes what others share.
 class StoreLock {
@@ -38,9 +49,9 @@ class Store {
   virtual carom::Result<bool> save_new(const std::string& name, const std::string& text) = 0;
   /// Nothing is saved under `name` any more; that may have been so before.
   virtual carom::Status remove(const std::string& name) = 0;
-  /// Renames what is there to NAME.broken, so that it is kept and nothing is saved over it.
+  /// Renames what is there to NAME.broken, so that nothing is saved over it.
   virtual carom::Status set_aside(const std::string& name) = 0;
-  /// The names in a folder ("replays/", or "" for those in none) that end in ".json", in order.
+  /// The names in a folder ("replays/", or "" for those in none) with a listed ending, in order.
   virtual std::vector<std::string> list(const std::string& folder) = 0;
 };
 

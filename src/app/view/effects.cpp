@@ -20,7 +20,7 @@ constexpr nanoseconds float_time = milliseconds{1500};
 constexpr nanoseconds announcement_time = milliseconds{1600};
 constexpr nanoseconds fade_time = milliseconds{250};
 
-/// How much of its time has passed, in [0, 1].
+/// The part of its time that has passed, in [0, 1].
 float progress(nanoseconds age, nanoseconds total) {
   return std::clamp(static_cast<float>(age.count()) / static_cast<float>(total.count()), 0.0f,
                     1.0f);

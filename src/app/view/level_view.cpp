@@ -112,7 +112,7 @@ void draw_side(DrawList& list, const Rect& beyond, Point from, Point to, bool op
   }
 }
 
-/// How worn a ball is: cracks that run inwards from its rim, more and longer ones.
+/// The wear of a ball: cracks that run inwards from its rim, more and longer ones.
 void draw_cracks(DrawList& list, Point c, float r, float wear, std::uint32_t id) {
   constexpr int most = 8;
   const float total = wear * most;

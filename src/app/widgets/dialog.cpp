@@ -21,7 +21,7 @@ constexpr float gap = 16;
 constexpr float letter_width = 10;  ///< on average, of a line's and a button's text
 constexpr std::size_t most_rows = 4;
 
-/// How many rows to reserve for a text.
+/// The number of rows to reserve for a text.
 std::size_t rows_of(const Dialog::Line& line, float width) {
   if (line.columns || !line.score.empty()) return 1;
   const float lines = letter_width * static_cast<float>(line.text.size()) / std::max(width, 1.0f);

@@ -7,7 +7,7 @@ namespace carom {
 
 // `static`: each source that calls it tests what it was compiled with itself.
 
-/// Whether the options that this source was compiled with leave arithmetic as it is written: no
+/// True if the options that this source was compiled with leave arithmetic as it is written: no
 /// reordering, no quotients by reciprocals, no fused multiply-adds, no constants as floats, zeros
 /// with their signs. What has a macro is refused at compile time (vec2.hpp); clang has none for
 /// most.

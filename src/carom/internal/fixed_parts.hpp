@@ -21,7 +21,7 @@ struct RoundedHoles {
   std::array<float, most + 8> x, y, radius;
 };
 
-/// What does not change in a world; its copies share it.
+/// The parts of a world that do not change; its copies share them.
 struct FixedParts {
   FixedParts(Scene of, double whole)
       : scene(std::move(of)),

@@ -43,7 +43,7 @@ class Forecast {
   static constexpr std::size_t max_balls = 64;
   static constexpr std::size_t max_fixtures = RoundedHoles::most;  ///< holes, and obstacles, each
 
-  /// Whether worlds like this are forecast at all.
+  /// True if worlds like this are forecast at all.
   static bool suits(const Scene& scene, std::size_t balls) {
     return balls <= max_balls && scene.holes.size() <= max_fixtures &&
            scene.obstacles.size() <= max_fixtures;
@@ -53,14 +53,14 @@ class Forecast {
   /// The state has been changed by other means than steps.
   void forget() { begun_ = false, pause_left_ = 0; }
 
-  /// Whether one can begin in any state; else only after a whole step.
+  /// True if one can begin in any state; else only after a whole step.
   static bool begins_anywhere(const FixedParts& fixed) { return fixed.scale.straight; }
   /// Begins, unless that does not pay or the margins do not hold. `events`: whether the whole step
   /// had any.
   void begin(const FixedParts& fixed, const Balls& balls, bool lead_out, bool events);
 
-  /// How many of the next steps, at most `most`, are surely stage 1 alone, and whether the one
-  /// after these is known to be another one. None also when the forecast has just ended.
+  /// The number of the next steps, at most `most`, that are surely stage 1 alone, and whether the
+  /// one after these is known to be another one. None also when the forecast has just ended.
   struct Ahead {
     int quiet = 0;
     bool due = false;
@@ -106,9 +106,9 @@ class Forecast {
   }
   /// Whether, for all that is known, the world may be at rest now.
   bool may_rest() const { return step_ >= busy_until_; }
-  /// Whether it is known that it is not.
+  /// True if it is known that it is not.
   bool surely_busy() const { return begun_ && !may_rest(); }
-  /// Whether it is surely not; finds out until when.
+  /// True if it is surely not; finds out until when.
   bool is_busy(const FixedParts& fixed, const Balls& balls);
 
   // For the search of what is near, in floats: an answer may hold more than it should.

@@ -50,7 +50,7 @@ struct Kernels {
   void (*advance)(const Motion& motion);
 };
 
-/// What every machine has.
+/// The functions that run on every machine.
 const Kernels& plain_kernels();
 /// None where there is no AVX2.
 const Kernels* avx2_kernels();

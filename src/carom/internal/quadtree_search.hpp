@@ -78,7 +78,7 @@ class QuadtreeSearch {
     for (const std::uint32_t i : tree_.strays_) hit(i);
   }
 
-  /// Whether near() with factor 1 would call hit with other discs than a and b.
+  /// True if near() with factor 1 would call hit with other discs than a and b.
   bool any_near(double x, double y, double own, std::uint32_t a, std::uint32_t b) const {
     Runs runs;
     if (nine_squares(x, y, own, 1, runs)) {
@@ -97,7 +97,7 @@ class QuadtreeSearch {
     return any;
   }
 
-  /// Whether a third disc may touch both i and j: come, both times, within `factor`·(sum of radii).
+  /// True if a third disc may touch both i and j: come, both times, within `factor`·(sum of radii).
   bool any_near_both(std::uint32_t i, std::uint32_t j, float factor) const {
     const double x = tree_.x_[i];
     const double y = tree_.y_[i];
@@ -200,7 +200,7 @@ class QuadtreeSearch {
     }
   }
 
-  /// What four slots at a time are compared with.
+  /// The disc that four slots at a time are compared with.
   struct Disc {
     [[gnu::always_inline]] Disc(Rounded disc, float by)
         : x(splat(disc.x)), y(splat(disc.y)), radius(splat(disc.radius)), factor(splat(by)) {}
@@ -257,7 +257,7 @@ class QuadtreeSearch {
     return true;
   }
 
-  /// Whether misses(slot) is true in all lanes, for all slots of the runs. One branch for all: few
+  /// True if misses(slot) is true in all lanes, for all slots of the runs. One branch for all: few
   /// runs have more than four discs, and what the lanes behind a run's end tell does no harm.
   template <class Misses>
   [[gnu::always_inline]] static bool all_miss(const Runs& runs, Misses misses) {

@@ -22,7 +22,7 @@ struct TimeScale {
   std::array<double, most_steps + 2> power{};  ///< f^m
   std::array<double, most_steps + 2> time{};   ///< of the clock after m steps
 
-  /// What a unit of the clock is worth after m steps.
+  /// The worth of a unit of the clock after m steps.
   double unit(int m) const { return straight ? power[static_cast<std::size_t>(m)] : 1; }
   double at(int m) const { return time[static_cast<std::size_t>(m)]; }
 

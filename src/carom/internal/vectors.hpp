@@ -127,7 +127,7 @@ inline unsigned bits(Short8 lanes) {
 #endif
 }
 
-/// Whether every lane of a comparison's result is true.
+/// True if every lane of a comparison's result is true.
 inline bool all(Int4 lanes) { return bits(lanes) == 0xfU; }
 
 /// Calls visit(place) for the places of the bits that are set, in order.
