@@ -22,6 +22,14 @@ carom::Vec2 direction(double degrees);
 /// Positive if `b` is counterclockwise from `a`, by less than half a turn.
 constexpr double cross(carom::Vec2 a, carom::Vec2 b) { return a.x * b.y - a.y * b.x; }
 
+/// `aim` turned by tenths of a degree, at most 3600 either way.
+constexpr Aim turned(Aim aim, int tenths) {
+  aim.tenths += tenths;
+  if (aim.tenths > 1800) aim.tenths -= 3600;
+  if (aim.tenths <= -1800) aim.tenths += 3600;
+  return aim;
+}
+
 /// The drag (px) of an aim, on the grid (games::on_grid): what Shoot and Throw take.
 carom::Vec2 drag(const Aim& aim);
 

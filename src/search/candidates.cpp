@@ -26,14 +26,6 @@ bool waits(const games::angry_balls::Game& game) {
   return game.phase() == games::angry_balls::Phase::aim;
 }
 
-/// `aim` turned and strengthened, within what can be typed.
-Aim changed(const Aim& aim, int tenths, int speed) {
-  int turned = aim.tenths + tenths;
-  if (turned > 1800) turned -= 3600;
-  if (turned <= -1800) turned += 3600;
-  return {.tenths = turned, .speed = std::clamp(aim.speed + speed, least_speed, greatest_speed)};
-}
-
 }  // namespace
 
 const carom::World& world_of(const Game& game) {
@@ -77,7 +69,9 @@ Shot Candidates::near(const Shot& shot, int tenths, int speed) {
   };
   const int turn = within(tenths);
   const int strengthen = within(speed);
-  return {.place = shot.place, .aim = changed(shot.aim, turn, strengthen)};
+  Aim aim = turned(shot.aim, turn);
+  aim.speed = std::clamp(aim.speed + strengthen, least_speed, greatest_speed);
+  return {.place = shot.place, .aim = aim};
 }
 
 Shot Candidates::next_on_table() {

@@ -19,6 +19,7 @@
 #include "files/files.hpp"
 #include "games/angry_balls.hpp"
 #include "games/level_check.hpp"
+#include "search/proof_file.hpp"
 #include "tool/busy.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
@@ -149,7 +150,8 @@ void add_check(CLI::App& carom, int& status) {
       "a player would hold against a sound level: balls that do not stay where they were put or\n"
       "never come to rest, enemies that no throw can harm, lengths in metres. Large levels are "
       "not\n"
-      "tried in full, and it says so.\n"
+      "tried in full, and it says so. Proofs and pack.json, which lie beside levels, are passed "
+      "over.\n"
       "Exit status: 0 all levels are sound, warnings or not; 1 some are not, or cannot be read; 2\n"
       "wrong usage.\n\n"
       "Examples:\n"
@@ -157,6 +159,8 @@ void add_check(CLI::App& carom, int& status) {
       "  carom check levels/*.json\n"
       "  carom check --json levels/01-first-steps.json");
   command->callback([options, &status] {
+    std::erase_if(options->levels,
+                  [](const std::string& path) { return search::lies_beside_levels(path); });
     if (options->watch) watch(options->levels, options->json);
     status = check_all(options->levels, options->json);
   });

@@ -13,6 +13,7 @@
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/level_link.hpp"
+#include "tool/prove.hpp"
 #include "tool/quadtree.hpp"
 #include "tool/replay.hpp"
 #include "tool/scene_input.hpp"
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
   int status = tool::done;
   tool::add_simulate(program, status);
   tool::add_check(program, status);
+  tool::add_prove(program, status);
   tool::add_replay(program, status);
   tool::add_shots(program, status);
   tool::add_advise(program, status);

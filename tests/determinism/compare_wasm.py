@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Gives the same files to the native `carom` and to the one for Node; every byte they print must be the
-same: replays verified, written as JSON and as packed text, and numbers of every size.
+same: replays verified, written as JSON and as packed text, levels won, and numbers of every size.
 compare_wasm.py CAROM CAROM.js"""
 
 import json
@@ -37,6 +37,7 @@ def main():
     replays = sorted(str(path.relative_to(ROOT)) for path in ROOT.glob("tests/replays/**/*.*"))
     cases = [(["replay", option, replay], None)
              for replay in replays for option in ("--verify", "--json", "--text")]
+    cases.append((["prove", "--first", *(str(path) for path in sorted(ROOT.glob("levels/*.json")))], None))
     cases.append((["simulate", "-", "--steps", "0", "--trace", "-", "--quiet"], numbers()))
     for arguments, text in cases:
         expected, got = output(native, arguments, text), output(wasm, arguments, text)

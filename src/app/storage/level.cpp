@@ -1,10 +1,9 @@
 #include "app/storage/level.hpp"
 
 #include "app/base/embedded.hpp"
-#include "carom/fnv1a.hpp"
 #include "carom/scene_file.hpp"
-#include "carom/trace.hpp"
 #include "games/angry_balls.hpp"
+#include "games/level_identity.hpp"
 
 namespace app {
 namespace {
@@ -31,16 +30,6 @@ carom::Result<carom::Scene> sound_level(const carom::Result<std::string>& bytes)
 /// "a" for "a.json".
 std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
-// Of what is played.
-std::string identity_of(carom::Scene scene) {
-  scene.author.clear();
-  scene.licence.clear();
-  scene.description.clear();
-  carom::Fnv1a hash;
-  hash.add(carom::write_scene(scene));
-  return carom::hash_text(hash.hash());
-}
-
 }  // namespace
 
 Level read_level(const std::string& file, const carom::Result<std::string>& bytes) {
@@ -50,14 +39,14 @@ Level read_level(const std::string& file, const carom::Result<std::string>& byte
     return level;
   }
   const carom::Scene& scene = level.scene.value();
-  level.identity = identity_of(scene);
+  level.identity = games::angry_balls::identity(scene);
   // A file that open_file() has kept has the identity for its name, which tells the player nothing.
   if (!scene.name.empty() || level.name == level.identity) level.name = scene.name;
   return level;
 }
 
 Level level_of(const carom::Scene& scene) {
-  return {scene.name, scene, {}, identity_of(scene), {}};
+  return {scene.name, scene, {}, games::angry_balls::identity(scene), {}};
 }
 
 std::string shown_name(const Words& words, const Level& level) {
