@@ -231,7 +231,9 @@ std::vector<Workload> workloads(const std::filesystem::path& levels) {
   all.push_back(shots("SCATTERED", 37, true));
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(levels))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".proof" &&
+        entry.path().filename() != "pack.json")
+      files.push_back(entry.path());
   std::ranges::sort(files);
   for (const std::filesystem::path& file : files)
     all.push_back({.scene = "LEVEL-" + file.filename().string().substr(0, 2),

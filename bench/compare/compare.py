@@ -177,7 +177,8 @@ def main():
     golden = dict(line.split() for line in (ROOT / "bench/golden.txt").read_text().splitlines())
     # A level is called by its number alone.
     golden |= {name.split("/")[0]: hash_ for name, hash_ in golden.items() if "LEVEL" in name}
-    levels = sorted(f"LEVEL-{path.name[:2]}" for path in (ROOT / "levels").glob("*.json"))
+    levels = sorted(f"LEVEL-{path.name[:2]}" for path in (ROOT / "levels").glob("*.json")
+                    if not path.name.endswith((".proof.json", "pack.json")))
     wanted = lambda row: not options.scene or any(row.startswith(scene) for scene in options.scene)
     rates = peers(options.bench) if wanted("BREAK") else {}
     rows = []

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "files/files.hpp"
+#include "search/proof_file.hpp"
 
 namespace platform {
 namespace {
@@ -25,7 +26,8 @@ std::vector<fs::path> files_of(const fs::path& folder, std::error_code& error) {
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code ignored;
     const fs::path ending = entry->path().extension();
-    if ((ending == ".json" || ending == ".angry-level") && entry->is_regular_file(ignored))
+    if ((ending == ".json" || ending == ".angry-level") && entry->is_regular_file(ignored) &&
+        !search::lies_beside_levels(entry->path().filename().string()))
       found.push_back(entry->path());
   }
   std::ranges::sort(found);

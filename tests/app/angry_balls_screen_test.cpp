@@ -316,7 +316,7 @@ TEST_F(AngryBallsScreenTest, ABallAboveTheOpenTopIsMarked) {
 
 std::vector<std::filesystem::path> recorded_throws() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/levels"))
+  for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/tests/levels/original"))
     if (entry.path().extension() == ".throws") files.push_back(entry.path());
   std::ranges::sort(files);
   return files;

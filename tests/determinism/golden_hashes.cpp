@@ -221,9 +221,9 @@ void play_level(Table& table, const std::string& name, const std::string& level,
   recorder.end(game.world(), std::to_string(game.score()));
 }
 
-/// The throws that win the level, as they are shipped with it.
+/// Throws that win the level.
 void play_recorded_throws(Table& table, const std::string& level) {
-  std::ifstream file("levels/" + level + ".throws");
+  std::ifstream file("tests/levels/original/" + level + ".throws");
   std::vector<Vec2> drags;
   for (Vec2 drag; file >> drag.x >> drag.y;) drags.push_back(drag);
   if (drags.empty()) fail("no throws for level " + level, unusable);

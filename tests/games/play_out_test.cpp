@@ -91,6 +91,8 @@ TEST(PlayOut, EndsAndCountsAsAThrowInEachOfTheLevels) {
   games::Random random(2);
   std::int64_t points = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/levels")) {
+    if (entry.path().stem().extension() == ".proof" || entry.path().filename() == "pack.json")
+      continue;
     if (entry.path().extension() != ".json") continue;
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string json(std::istreambuf_iterator<char>(file), {});

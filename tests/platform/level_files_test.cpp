@@ -16,6 +16,8 @@ class LevelFiles : public testing::Test {
     for (const char* name : {"b.json", "a.json", "inner/c.json"})
       fs::copy_file(SOURCE_DIR "/levels/01-first-steps.json", folder / name);
     std::ofstream(folder / "notes.txt") << "no level";
+    std::ofstream(folder / "a.proof.json") << "{}";
+    std::ofstream(folder / "pack.json") << "{}";
     std::ofstream(folder / "aa.json") << "{";
   }
   ~LevelFiles() override { fs::remove_all(folder); }
@@ -25,7 +27,7 @@ class LevelFiles : public testing::Test {
 
 TEST_F(LevelFiles, OfAFolderByName) {
   const auto levels = platform::read_levels(folder);
-  ASSERT_EQ(levels.size(), 3u) << "*.json, and not those of inner folders";
+  ASSERT_EQ(levels.size(), 3u) << "*.json, no proofs, and not those of inner folders";
   EXPECT_TRUE(levels[0].scene);
   EXPECT_FALSE(levels[1].scene);
   EXPECT_TRUE(levels[1].problem.starts_with("aa.json:1:")) << levels[1].problem;

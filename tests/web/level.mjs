@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { carom, check, root, withPage } from "./browser.mjs";
 
-const [x, y] = readFileSync(join(root, "levels/01-first-steps.throws"), "utf8").trim().split(" ");
+const [x, y] = readFileSync(join(root, "tests/levels/original/01-first-steps.throws"), "utf8").trim().split(" ");
 const degrees = Math.atan2(y, x) * 180 / Math.PI;
 const speed = 5 * Math.hypot(x, y);
 const recorded = carom("replay", "--json", join(root, "tests/replays/level-01-won.json"));

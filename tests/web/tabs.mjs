@@ -6,7 +6,7 @@ import { check, Game, root, withPage } from "./browser.mjs";
 
 // Wins a level by its recorded throw, from its link's or the menu's start.
 async function win(tab, card, file) {
-  const [x, y] = readFileSync(join(root, `levels/${file}.throws`), "utf8").trim().split(" ");
+  const [x, y] = readFileSync(join(root, `tests/levels/original/${file}.throws`), "utf8").trim().split(" ");
   await tab.click(144, 481); // Angry Balls
   await tab.waitFor("level menu");
   await tab.click(...card);

@@ -216,7 +216,7 @@ def angry_balls(window, pictures, data):
     window.click(500, 300)
     window.wait_for("click the angry ball")
     # The recorded throw.
-    throw = pathlib.Path(__file__).parents[2] / "levels" / "01-first-steps.throws"
+    throw = pathlib.Path(__file__).parents[2] / "tests/levels/original/01-first-steps.throws"
     x, y = map(int, throw.read_text().split())
     window.click(110, 496)
     window.move(200, 500)

@@ -4,6 +4,7 @@
 #include "carom/scene_file.hpp"
 #include "games/angry_balls.hpp"
 #include "games/level_identity.hpp"
+#include "search/proof_file.hpp"
 
 namespace app {
 namespace {
@@ -68,6 +69,7 @@ std::vector<Level> shipped_levels() {
 std::vector<Level> kept_levels(Store& store) {
   std::vector<Level> levels;
   for (const std::string& name : store.list(own_levels)) {
+    if (search::lies_beside_levels(name)) continue;
     const auto text = store.load(name);
     const carom::Error gone{.pointer = {}, .problem = carom::MessageCode::is_gone};
     const std::string file = name.substr(own_levels.size());
