@@ -83,13 +83,27 @@ int Game::enemies_left() const {
   return count;
 }
 
-void Game::step() {
+void Game::step() { run(1); }
+
+std::uint64_t Game::run(std::uint64_t most) {
   events_.clear();
   physics_.clear();
-  if (phase_ != Phase::fly && phase_ != Phase::offer) return;
-  const auto happened = world_.step();
-  physics_.assign(happened.begin(), happened.end());
-  ++turn_steps_;
+  if ((phase_ != Phase::fly && phase_ != Phase::offer) || most == 0) return 0;
+  // A slow throw takes one step before it is asked whether all rests.
+  const bool waits_for_rest = phase_ == Phase::fly && !world_.at_rest();
+  const std::uint64_t left = phase_ == Phase::offer ? most
+                             : waits_for_rest       ? offer_steps - turn_steps_
+                                                    : 1;
+  std::uint64_t seen = 0;
+  const carom::RunEnd end = world_.run(
+      {.rest = waits_for_rest,
+       .events = carom::EventKind::destroyed | carom::EventKind::left | carom::EventKind::pocketed},
+      std::min(most, left), [&](std::uint64_t step, std::span<const carom::Event> happened) {
+        seen = step;
+        physics_.assign(happened.begin(), happened.end());
+      });
+  if (seen != world_.steps()) physics_.clear();
+  turn_steps_ += end.steps;
   score_lost_balls();
   if (enemies_left() == 0) {
     phase_ = Phase::won;
@@ -98,6 +112,7 @@ void Game::step() {
     phase_ = Phase::offer;
     events_.push_back({.kind = EventKind::offered});
   }
+  return end.steps;
 }
 
 // Every ball but the projectile counts, in the order in which they go (§2.3.1).

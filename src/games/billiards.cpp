@@ -15,6 +15,13 @@ carom::Error refusal(std::string what, carom::MessageCode problem, carom::Messag
   return {.pointer = std::move(what), .problem = problem, .expected = expected};
 }
 
+/// The cue ball met another ball: all others are reds.
+bool touches_red(std::span<const carom::Event> happened) {
+  return std::ranges::any_of(happened, [](const carom::Event& event) {
+    return event.kind == carom::EventKind::pair && (event.ball == 0 || event.other == 0);
+  });
+}
+
 }  // namespace
 
 carom::Scene rack(Rack kind) {
@@ -131,18 +138,36 @@ std::optional<int> Game::winner() const {
   return scores_[0] > scores_[1] ? 0 : 1;
 }
 
-void Game::step() {
+void Game::step() { run(1); }
+
+std::uint64_t Game::run(std::uint64_t most) {
   events_.clear();
   physics_.clear();
-  if (phase_ != Phase::roll) return;
+  if (phase_ != Phase::roll || most == 0) return 0;
+  // As before every step up to the one in which the first ball falls.
   std::vector<std::uint32_t> ids;
   for (std::size_t i = 0; i < world_.size(); ++i) ids.push_back(world_.ball(i).id);
-  const auto happened = world_.step();
-  physics_.assign(happened.begin(), happened.end());
-  ++turn_steps_;
+  // A slow shot takes one step before it is asked whether all rests.
+  const bool rests = world_.at_rest();
+  const std::uint64_t left = rests ? 1 : max_turn_steps - turn_steps_;
+  std::uint64_t seen = 0;
+  const carom::RunEnd end = world_.run(
+      {.rest = !rests,
+       .events = carom::EventKind::pocketed | carom::EventKind::left | carom::EventKind::destroyed},
+      std::min(most, left), [&](std::uint64_t step, std::span<const carom::Event> happened) {
+        seen = step;
+        physics_.assign(happened.begin(), happened.end());
+        touched_red_ = touched_red_ || touches_red(happened);
+      });
+  if (seen != world_.steps()) physics_.clear();
+  turn_steps_ += end.steps;
   score_pocketed(ids);
-  touched_red_ = touched_red_ || touches_red();
+  end_turn();
+  return end.steps;
+}
 
+// After a step: the turn passes, or the game is over.
+void Game::end_turn() {
   const bool cue_fell = !world_.in_play(0);
   if (cue_fell) {
     ++tally().fouls;
@@ -184,13 +209,6 @@ void Game::score_pocketed(std::span<const std::uint32_t> ids_by_index) {
     tally().best_turn = std::max(tally().best_turn, turn_points_);
     events_.push_back({.kind = EventKind::scored, .player = player_, .ball = id, .points = points});
   }
-}
-
-/// The cue ball met another ball in the last step: all others are reds.
-bool Game::touches_red() const {
-  return std::ranges::any_of(physics_, [](const carom::Event& event) {
-    return event.kind == carom::EventKind::pair && (event.ball == 0 || event.other == 0);
-  });
 }
 
 void Game::pass_turn(int next) {

@@ -32,8 +32,10 @@ carom::Status apply_command(AnyGame& game, const Command& command) {
       game, command);
 }
 
-void step(AnyGame& game) {
-  std::visit([](auto& played) { played.step(); }, game);
+void step(AnyGame& game) { run(game, 1); }
+
+std::uint64_t run(AnyGame& game, std::uint64_t most) {
+  return std::visit([most](auto& played) { return played.run(most); }, game);
 }
 
 const carom::World& world(const AnyGame& game) {

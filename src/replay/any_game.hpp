@@ -22,6 +22,8 @@ carom::Status apply_command(AnyGame& game, const Command& command);
 
 /// One step of the world; nothing while it stands still.
 void step(AnyGame& game);
+/// At most `most` steps, up to the first of which the rules have something to tell; how many.
+std::uint64_t run(AnyGame& game, std::uint64_t most);
 
 const carom::World& world(const AnyGame& game);
 

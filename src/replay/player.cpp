@@ -90,10 +90,10 @@ std::size_t Player::turn() const {
 bool Player::step() {
   bool changed = false;
   for (bool stepped = false; !stepped;) {
-    if (shown_.time() == ahead_.time() && !advance_ahead() && shown_.time() == ahead_.time())
+    if (shown_.time() == ahead_.time() && !advance_ahead(1) && shown_.time() == ahead_.time())
       return changed;
     stepped = shown_.steps_due > 0;
-    advance(shown_);
+    advance(shown_, 1);
     changed = true;
   }
   return changed;
@@ -106,16 +106,15 @@ bool Player::seek(std::size_t turn) {
 Sought Player::seek(std::size_t turn, std::uint64_t steps) {
   if (turn > turns_.size()) return Sought::nowhere;
   if (turn == turns_.size()) {
-    for (; steps > 0; --steps)
-      if (!advance_ahead()) {
-        shown_ = ahead_;
-        return Sought::shown;
-      }
-    return Sought::on_way;
+    if (look_ahead(steps)) return Sought::on_way;
+    shown_ = ahead_;
+    return Sought::shown;
   }
-  for (; reached_turns_ <= turn; --steps) {
+  while (reached_turns_ <= turn) {
     if (steps == 0) return Sought::on_way;
-    if (!advance_ahead()) return Sought::nowhere;
+    const std::uint64_t before = ahead_.time();
+    if (!advance_ahead(steps)) return Sought::nowhere;
+    steps -= ahead_.time() - before;
   }
   const std::uint64_t time = turns_[turn].first_move + turns_[turn].first_step;
   if (!sought_ || sought_turn_ != turn) {
@@ -123,22 +122,26 @@ Sought Player::seek(std::size_t turn, std::uint64_t steps) {
     if (shown_.time() <= time && shown_.time() > sought_->time()) sought_ = shown_;
     sought_turn_ = turn;
   }
-  for (; sought_->time() < time; --steps) {
+  while (sought_->time() < time) {
     if (steps == 0) return Sought::on_way;
-    advance(*sought_);
+    const std::uint64_t before = sought_->time();
+    advance(*sought_, std::min(steps, time - before));
+    steps -= sought_->time() - before;
   }
   shown_ = *std::exchange(sought_, std::nullopt);
   return Sought::shown;
 }
 
 bool Player::look_ahead(std::uint64_t steps) {
-  for (std::uint64_t n = 0; n < steps; ++n)
-    if (!advance_ahead()) return false;
+  const std::uint64_t start = ahead_.time();
+  while (ahead_.time() - start < steps)
+    if (!advance_ahead(steps - (ahead_.time() - start))) return false;
   return true;
 }
 
-// False when there is nothing to do any more, or the game has just diverged.
-bool Player::advance_ahead() {
+// Gives the next command or takes up to `most` steps. False when there is nothing to do any more,
+// or the game has just diverged.
+bool Player::advance_ahead(std::uint64_t most) {
   Moment& moment = ahead_;
   if (divergence_ || at_end(moment)) return false;
   if (moment.steps_due == 0) {
@@ -158,9 +161,9 @@ bool Player::advance_ahead() {
               "a game that stands still");
       return false;
     }
-    replay::step(moment.game);
-    ++moment.step;
-    --moment.steps_due;
+    const std::uint64_t taken = run(moment.game, std::min(most, moment.steps_due));
+    moment.step += taken;
+    moment.steps_due -= taken;
   }
   Turn& turn = turns_[reached_turns_ - 1];
   const std::int64_t before = reached_turns_ > 1 ? points(turns_[reached_turns_ - 2].score) : 0;
@@ -171,16 +174,16 @@ bool Player::advance_ahead() {
 }
 
 // Only what advance_ahead() has found possible.
-void Player::advance(Moment& moment) const {
+void Player::advance(Moment& moment, std::uint64_t most) const {
   if (moment.steps_due == 0) {
     const Move& move = replay_.moves[moment.move];
     static_cast<void>(apply_command(moment.game, move.command));
     ++moment.move;
     moment.steps_due = move.steps;
   } else {
-    replay::step(moment.game);
-    ++moment.step;
-    --moment.steps_due;
+    const std::uint64_t taken = run(moment.game, std::min(most, moment.steps_due));
+    moment.step += taken;
+    moment.steps_due -= taken;
   }
 }
 

@@ -101,8 +101,8 @@ class Player {
 
   Player(Replay replay, AnyGame game);
   bool at_end(const Moment& moment) const;
-  bool advance_ahead();
-  void advance(Moment& moment) const;
+  bool advance_ahead(std::uint64_t most);
+  void advance(Moment& moment, std::uint64_t most) const;
   void keep();
   void begin_turn();
   void compare();

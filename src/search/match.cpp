@@ -31,7 +31,7 @@ GameResult play_game(const std::array<Level, 2>& sides, int breaker, Seed seed,
       hash.add(decision.meant.place->y);
     }
     if (!game.apply(Shoot{decision.drag})) break;
-    while (game.phase() == Phase::roll) game.step();
+    while (game.phase() == Phase::roll) game.run(games::billiards::max_turn_steps);
     hash.add(decision.drag.x);
     hash.add(decision.drag.y);
     for (const int each : {0, 1}) hash.add(static_cast<std::uint64_t>(game.score(each)));

@@ -49,13 +49,15 @@ bool is_replay(std::string_view bytes) {
 /// Goes on until the player is to do something, or the game is over.
 void let_roll(replay::AnyGame& game) {
   if (auto* level = std::get_if<games::angry_balls::Game>(&game)) {
-    while (level->phase() == games::angry_balls::Phase::fly) level->step();
+    while (level->phase() == games::angry_balls::Phase::fly)
+      level->run(games::angry_balls::offer_steps);
     if (level->phase() == games::angry_balls::Phase::offer)
       (void)level->apply(games::angry_balls::Next{});
     return;
   }
   auto& table = std::get<games::billiards::Game>(game);
-  while (table.phase() == games::billiards::Phase::roll) table.step();
+  while (table.phase() == games::billiards::Phase::roll)
+    table.run(games::billiards::max_turn_steps);
 }
 
 carom::Result<search::Game> game_of_replay(std::string_view bytes,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,17 @@ carom::Scene cue_table() {
   carom::Scene scene = table({ball({200, 200}), ball({400, 200})});
   scene.balls[0].role = carom::Role::cue;
   return scene;
+}
+
+TEST(World, ItsBallsAreViewsThatCannotBeWritten) {
+  using View = decltype(std::declval<World&>().balls());
+  static_assert(!std::is_assignable_v<decltype(std::declval<View&>().x[0]), double>);
+  static_assert(!std::is_assignable_v<decltype(std::declval<View&>().role[0]), carom::Role>);
+  const World world =
+      World::create({.width = 100, .height = 100, .balls = {{.position = {20, 30}}}}).value();
+  EXPECT_EQ(world.balls().size(), 1U);
+  EXPECT_EQ(world.balls().x.data(), world.balls().x.data()) << "no copies";
+  EXPECT_EQ(world.balls()[0].position, (carom::Vec2{20, 30}));
 }
 
 TEST(World, RefusesAVelocityAndKeepsItsState) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "games/angry_balls.hpp"
@@ -19,7 +20,7 @@ inline bool decided(const games::angry_balls::Game& game) { return game.enemies_
 template <class Game>
 class Foresight {
  public:
-  static constexpr int steps = 25;                ///< how far it runs ahead
+  static constexpr std::uint64_t steps = 25;      ///< how far it runs ahead
   static constexpr std::size_t most_balls = 500;  ///< with more, no time is spent on it
 
   /// The game goes on from here.
@@ -27,7 +28,8 @@ class Foresight {
     ahead_.reset();
     if (game.world().size() > most_balls || decided(game)) return;
     ahead_ = game;
-    for (int i = 0; i < steps; ++i) ahead_->step();
+    for (std::uint64_t taken = 0, each = 1; taken < steps && each > 0; taken += each)
+      each = ahead_->run(steps - taken);
   }
   void end() { ahead_.reset(); }
   /// One step further. Whether the game will be decided within the steps to come.
