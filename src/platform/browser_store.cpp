@@ -59,8 +59,10 @@ EM_JS(int, browser_store_move, (const char* from, const char* to), {
 EM_JS(char*, browser_store_list, (const char* folder), {
   const start = "angry-balls/" + UTF8ToString(folder);
   try {
+    const endings = [".json", ".angry-level", ".angry-replay"];
+    const listed = (key) => endings.some((ending) => key.endsWith(ending));
     const names = Object.keys(localStorage).filter(
-      (key) => key.startsWith(start) && /\\.(json|angry-level|angry-replay)$/.test(key) && !key.includes("\n"));
+      (key) => key.startsWith(start) && listed(key) && !key.includes("\n"));
     return allocateUTF8(names.map((key) => key.slice("angry-balls/".length) + "\n").join(""));
   } catch (error) {
     return allocateUTF8("");

@@ -34,7 +34,7 @@ TEST(Foresight, ADecisiveMomentIsKnownSoManyStepsBefore) {
     known = foresight.step();
   }
   ASSERT_TRUE(known);
-  for (int i = 0; i < Ahead::steps; ++i) {
+  for (std::uint64_t i = 0; i < Ahead::steps; ++i) {
     EXPECT_EQ(game.enemies_left(), 1) << i;
     game.step();
   }

@@ -17,7 +17,7 @@ constexpr float title_height = 48;
 constexpr float line_height = 40;
 constexpr float least_line_height = 26;
 constexpr float button_height = 48;
-constexpr float gap = 16;
+constexpr float button_gap = 16;
 constexpr float letter_width = 10;  ///< on average, of a line's and a button's text
 constexpr std::size_t most_rows = 4;
 
@@ -46,15 +46,15 @@ void Dialog::resize(const View& view) {
   std::size_t columns = buttons_.size() > 3 ? 2 : buttons_.size();
   // On a phone held upright long words stand below each other.
   for (const Button& button : buttons_.all()) {
-    const float needed = letter_width * static_cast<float>(button.label.size()) + 2 * gap;
+    const float needed = letter_width * static_cast<float>(button.label.size()) + 2 * button_gap;
     if (view.height > view.width && needed * static_cast<float>(columns) > inner) columns = 1;
   }
   const std::size_t rows = (buttons_.size() + columns - 1) / columns;
   buttons_.set_columns(columns);
-  const float space = view.px(gap);
+  const float space = view.px(button_gap);
   const float height = view.button(button_height);
   const float buttons_height = static_cast<float>(rows) * (height + space) - space;
-  const float rest = view.px(2 * padding + title_height + 2 * gap) + buttons_height;
+  const float rest = view.px(2 * padding + title_height + 2 * button_gap) + buttons_height;
   std::size_t text_rows = 0;
   for (const Line& line : lines_) text_rows += rows_of(line, inner);
   const auto lines = static_cast<float>(text_rows);
@@ -98,7 +98,7 @@ void Dialog::draw(Canvas& canvas) const {
   Rect rest = panel_.inset(canvas.px(padding));
   label_or_elide(canvas, rest.cut_top(canvas.px(title_height)),
                  {Face::black, 32, palette::cream, Align::center}, title_);
-  rest.cut_top(canvas.px(gap / 2));
+  rest.cut_top(canvas.px(button_gap / 2));
   for (const Line& line : lines_) {
     const std::size_t rows = rows_of(line, rest.w / canvas.view.scale);
     const Rect row = rest.cut_top(line_height_ * static_cast<float>(rows));

@@ -10,17 +10,17 @@
 namespace app {
 namespace {
 
-const TextStyle style{Face::regular, 16, palette::cream, Align::center};
+const TextStyle tip_style{Face::regular, 16, palette::cream, Align::center};
 
 void draw_at(Canvas& canvas, const Rect& box, std::string_view text) {
   fill_rounded(canvas.list, box, canvas.px(6), palette::slate_bottom);
   stroke_rounded(canvas.list, box, canvas.px(6), canvas.px(1), palette::brass);
-  label(canvas, box.inset(canvas.px(8), 0), style, text);
+  label(canvas, box.inset(canvas.px(8), 0), tip_style, text);
   canvas.list.boxes.back().kind = Box::Kind::tip;
 }
 
 Rect box_of(const Canvas& canvas, Point middle, std::string_view text) {
-  return centered(middle, label_width(canvas, style, text) + canvas.px(20), canvas.px(28));
+  return centered(middle, label_width(canvas, tip_style, text) + canvas.px(20), canvas.px(28));
 }
 
 }  // namespace

@@ -9,14 +9,14 @@
 namespace app {
 namespace {
 
-constexpr nanoseconds shown = milliseconds{1500};
+constexpr nanoseconds shown_for = milliseconds{1500};
 constexpr nanoseconds fading = milliseconds{250};
 
 }  // namespace
 
 void Toast::show(std::string text) {
   text_ = std::move(text);
-  left_ = shown;
+  left_ = shown_for;
 }
 
 void Toast::advance(nanoseconds elapsed) {
