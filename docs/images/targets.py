@@ -14,11 +14,11 @@ def read(path):
         links = re.findall(r"// ([\w:-]+) -> ([\w:-]+)$", file.read(), re.MULTILINE)
     targets = {}
     for user, library in links:
-        if re.search(r"-tests$|^fuzz|^(pictures|project_warnings)$", user):
+        if re.search(r"-tests$|^fuzz|^example-|^(pictures|golden-hashes|project_warnings|carom_warnings)$", user):
             continue
         targets.setdefault(user, set())
         # A library that links nothing has no line of its own; others' have "::" in their names.
-        if "::" not in library and library != "project_warnings":
+        if "::" not in library and not library.endswith("_warnings"):
             targets[user].add(library)
             targets.setdefault(library, set())
     return targets
