@@ -311,7 +311,8 @@ function listen() {
   new MutationObserver(() => { part("live").textContent = document.title; })
     .observe(document.querySelector("title"), { childList: true });
 
-  // Escape is the game's, but a Tab right after it leaves the canvas; so does F6. Nothing is trapped.
+  // Escape is the game's, but where it leads nowhere, on the title screen, a Tab right after it leaves the
+  // canvas; F6 does everywhere. Nothing is trapped.
   let leaving = false;
   canvas.addEventListener("keydown", (event) => {
     const pasting = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "v";
@@ -322,7 +323,8 @@ function listen() {
     const foreign = (event.ctrlKey || event.metaKey || event.altKey) && !own;
     const leaves = event.key === "Tab" && leaving;
     if (pasting || foreign || leaves || /^F(?!10?$)\d/.test(event.key)) event.stopImmediatePropagation();
-    leaving = event.key === "Escape" || (leaving && event.key === "Shift");
+    leaving = event.key === "Escape" ? !Module._web_at_start || Module._web_at_start()
+      : leaving && event.key === "Shift";
   }, true);
   document.addEventListener("paste", (event) => {
     const text = event.clipboardData.getData("text");

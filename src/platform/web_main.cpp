@@ -129,6 +129,9 @@ EMSCRIPTEN_KEEPALIVE void web_texts(char* text, std::size_t size) {
     app::load_texts(language, std::move(file));
 }
 
+/// There is nothing to go back to.
+EMSCRIPTEN_KEEPALIVE bool web_at_start() { return !window || window->app().screen().is_first(); }
+
 /// Unseen the game stands still; a page that is hidden gets no frames anyway, but not every browser
 /// is sure of it.
 EMSCRIPTEN_KEEPALIVE void web_shown(bool shown) {

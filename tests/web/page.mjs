@@ -41,6 +41,11 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
     await game.press("Escape");
     await game.waitFor("title screen");
   }
+  await game.press("F10");
+  await game.waitFor("Settings");
+  await game.press("Escape", "Tab");
+  await game.waitFor("title screen");
+  check(await focused() === "canvas", "Tab leaves the game after an Escape that the game used");
   const live = await game.page.evaluate(() => {
     const region = document.getElementById("live");
     return [region.getAttribute("role"), region.getAttribute("aria-live"), region.hidden];
