@@ -1,9 +1,11 @@
 #include "tool/check.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,12 +16,14 @@
 #include <utility>
 #include <vector>
 
+#include "carom/rollouts.hpp"
 #include "carom/scene_file.hpp"
 #include "cli/options.hpp"
 #include "files/files.hpp"
 #include "games/angry_balls.hpp"
 #include "games/level_check.hpp"
 #include "search/proof_file.hpp"
+#include "search/solver.hpp"
 #include "tool/busy.hpp"
 #include "tool/exit_status.hpp"
 #include "tool/scene_input.hpp"
@@ -28,12 +32,39 @@ namespace tool {
 
 namespace {
 
+/// The throws that win a level, the most robust that were found.
+struct Winning {
+  search::Throws throws{};  ///< empty: none were found
+  std::vector<search::Margin> margins{};
+  std::uint64_t simulations = 0;  ///< played to find them; 0: with so many balls it is not tried
+};
+
 /// The outcome for one level.
 struct Checked {
   carom::Errors errors{};
   carom::Errors warnings{};
   bool complete = true;  ///< all that the check tries was tried
+  Winning winning{};
 };
+
+Winning find_winning(const games::angry_balls::Game& level) {
+  // In ball-steps, as if every throw were watched to its end: some seconds at worst.
+  constexpr std::uint64_t most_work = 100'000'000;
+  constexpr std::uint64_t least = 20;  // simulations; fewer find nothing
+  constexpr std::uint64_t most = 20'000;
+  const std::uint64_t simulations =
+      std::min(most, most_work / (level.world().size() * games::angry_balls::offer_steps));
+  if (simulations < least) return {};
+  constexpr search::Seed seed{1};
+  carom::Rollouts rollouts(1);
+  const search::Solved solved = search::solve(level, simulations, seed, rollouts);
+  Winning winning{.simulations = solved.simulations};
+  if (solved.found.empty()) return winning;
+  winning.throws = search::most_robust(level, solved, seed, rollouts);
+  for (std::size_t i = 0; i < winning.throws.size(); ++i)
+    winning.margins.push_back(search::margin(level, winning.throws, i, rollouts));
+  return winning;
+}
 
 Checked check(const std::string& path) {
   std::optional<Busy> busy("reading " + shown_name(path));
@@ -46,8 +77,37 @@ Checked check(const std::string& path) {
   games::angry_balls::LevelReport tried =
       games::angry_balls::level_report(level.value(), games::angry_balls::level_check_budget,
                                        [&busy](double part) { busy->set_part(part); });
-  return {.warnings = carom::locate(bytes.value(), std::move(tried.warnings)),
-          .complete = tried.complete};
+  Checked checked{.warnings = carom::locate(bytes.value(), std::move(tried.warnings)),
+                  .complete = tried.complete};
+  if (!tried.complete) return checked;
+  busy.reset();
+  busy.emplace("looking for winning throws of " + shown_name(path));
+  if (const auto game = games::angry_balls::Game::create(level.value()))
+    checked.winning = find_winning(game.value());
+  return checked;
+}
+
+std::string decimal(int tenths) {
+  const std::string digits = std::to_string(std::abs(tenths));
+  return (tenths < 0 ? "-" : "") + (digits.size() < 2 ? "0" : digits.substr(0, digits.size() - 1)) +
+         '.' + digits.back();
+}
+
+/// "won by 33.5°, 860 px/s (± 0.4°, ± 8 px/s)", a throw after the other.
+std::string text_of(const Winning& winning) {
+  if (winning.throws.empty())
+    return "no winning throws found in " + std::to_string(winning.simulations) + " simulations";
+  std::string text = "won by ";
+  for (std::size_t i = 0; i < winning.throws.size(); ++i) {
+    const search::Aim& aim = winning.throws[i];
+    const search::Margin margin = std::max(winning.margins[i], 0);
+    text += (i > 0 ? ", then " : "") + decimal(aim.tenths) + "°, " + std::to_string(aim.speed) +
+            " px/s";
+    text += margin == 0 ? " (exactly)"
+                        : " (± " + decimal(margin) + "°, ± " +
+                              std::to_string(margin * search::margin_speed) + " px/s)";
+  }
+  return text;
 }
 
 void print_text(const std::string& path, const Checked& checked) {
@@ -56,7 +116,10 @@ void print_text(const std::string& path, const Checked& checked) {
     warning.problem = {carom::MessageCode::warning, {carom::to_string(warning.problem)}};
     std::fprintf(stderr, "%s\n", carom::to_string(warning, shown_name(path)).c_str());
   }
-  if (checked.errors.empty()) std::printf("%s: ok\n", shown_name(path).c_str());
+  if (!checked.errors.empty()) return;
+  std::printf("%s: ok\n", shown_name(path).c_str());
+  if (checked.winning.simulations > 0)
+    std::printf("%s: %s\n", shown_name(path).c_str(), text_of(checked.winning).c_str());
 }
 
 nlohmann::ordered_json json_of(const carom::Errors& errors) {
@@ -74,12 +137,22 @@ nlohmann::ordered_json json_of(const carom::Errors& errors) {
   return all;
 }
 
+nlohmann::ordered_json json_of(const Winning& winning) {
+  nlohmann::ordered_json throws = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < winning.throws.size(); ++i) {
+    const search::Margin margin = std::max(winning.margins[i], 0);
+    throws.push_back({{"angle", winning.throws[i].tenths / 10.0},
+                      {"speed", winning.throws[i].speed},
+                      {"margin-degrees", margin / 10.0},
+                      {"margin-speed", margin * search::margin_speed}});
+  }
+  return {{"throws", std::move(throws)}, {"simulations", winning.simulations}};
+}
+
 nlohmann::ordered_json json_of(const std::string& path, const Checked& checked) {
-  return {{"level", shown_name(path)},
-          {"ok", checked.errors.empty()},
-          {"errors", json_of(checked.errors)},
-          {"warnings", json_of(checked.warnings)},
-          {"complete", checked.complete}};
+  return {{"level", shown_name(path)},         {"ok", checked.errors.empty()},
+          {"errors", json_of(checked.errors)}, {"warnings", json_of(checked.warnings)},
+          {"complete", checked.complete},      {"won-by", json_of(checked.winning)}};
 }
 
 int check_all(const std::vector<std::string>& levels, bool json) {
@@ -148,10 +221,11 @@ void add_check(CLI::App& carom, int& status) {
       "Says \"ok\", or every error with line, column, pointer and what was expected. Warns of "
       "what\n"
       "a player would hold against a sound level: balls that do not stay where they were put or\n"
-      "never come to rest, enemies that no throw can harm, lengths in metres. Large levels are "
+      "never come to rest, enemies that no throw can harm, lengths in metres. Then names throws "
+      "that\n"
+      "win, the most robust it finds, with how much all of an aim may be off. Large levels are "
       "not\n"
-      "tried in full, and it says so. Proofs and pack.json, which lie beside levels, are passed "
-      "over.\n"
+      "tried in full, and it says so.\n"
       "Exit status: 0 all levels are sound, warnings or not; 1 some are not, or cannot be read; 2\n"
       "wrong usage.\n\n"
       "Examples:\n"

@@ -36,12 +36,14 @@ def main():
 
         try:
             expect("level.json: ok")
+            expect("level.json: won by")
             save("{")
             expect("level.json:1:2:")
             level.unlink()
             expect("No such file")
             save(sound)
             expect("level.json: ok")
+            expect("level.json: won by")
         except queue.Empty:
             sys.exit("said nothing after a change")
         finally:
