@@ -13,17 +13,6 @@ namespace {
 using LevelGame = games::angry_balls::Game;
 using games::angry_balls::Phase;
 
-carom::Vec2 random_drag(games::Random& random) {
-  const carom::ExactArithmetic exact;
-  constexpr double longest = games::max_launch_speed / games::launch_factor;
-  for (;;) {
-    const double x = random.uniform(-longest, longest);
-    const double y = random.uniform(-longest, longest);
-    const carom::Vec2 drag = games::on_grid({x, y});
-    if (drag != carom::Vec2{} && carom::length(drag) <= longest) return drag;
-  }
-}
-
 carom::Vec2 found_drag(const LevelGame& game, const LevelPlayer& player, Seed seed,
                        std::uint64_t turn, carom::Rollouts& rollouts) {
   // The game waits for a throw, and the player's numbers are sound.
@@ -34,6 +23,17 @@ carom::Vec2 found_drag(const LevelGame& game, const LevelPlayer& player, Seed se
 }
 
 }  // namespace
+
+carom::Vec2 random_drag(games::Random& random) {
+  const carom::ExactArithmetic exact;
+  constexpr double longest = games::max_launch_speed / games::launch_factor;
+  for (;;) {
+    const double x = random.uniform(-longest, longest);
+    const double y = random.uniform(-longest, longest);
+    const carom::Vec2 drag = games::on_grid({x, y});
+    if (drag != carom::Vec2{} && carom::length(drag) <= longest) return drag;
+  }
+}
 
 LevelGames play_level(const LevelGame& level, const std::optional<LevelPlayer>& player,
                       std::uint64_t count, Seed seed, carom::Rollouts& rollouts) {

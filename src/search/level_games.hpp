@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "carom/rollouts.hpp"
+#include "carom/vec2.hpp"
 #include "games/angry_balls.hpp"
+#include "games/random.hpp"
 #include "search/estimate.hpp"
 #include "search/hand.hpp"
 #include "search/seed.hpp"
@@ -36,8 +38,10 @@ struct LevelGames {
   friend bool operator==(const LevelGames&, const LevelGames&) = default;
 };
 
-/// Plays so many games of `level`, a game at its start. No player: drags are uniform within the
-/// greatest one.
+/// A drag on the grid, uniform within the greatest one; not zero.
+carom::Vec2 random_drag(games::Random& random);
+
+/// Plays so many games of `level`, a game at its start. No player: drags are random_drag()s.
 LevelGames play_level(const games::angry_balls::Game& level,
                       const std::optional<LevelPlayer>& player, std::uint64_t count, Seed seed,
                       carom::Rollouts& rollouts);

@@ -12,6 +12,7 @@
 #include "tool/advise.hpp"
 #include "tool/check.hpp"
 #include "tool/exit_status.hpp"
+#include "tool/generate.hpp"
 #include "tool/level_link.hpp"
 #include "tool/prove.hpp"
 #include "tool/quadtree.hpp"
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
   tool::add_simulate(program, status);
   tool::add_check(program, status);
   tool::add_prove(program, status);
+  tool::add_generate(program, status);
   tool::add_replay(program, status);
   tool::add_shots(program, status);
   tool::add_advise(program, status);

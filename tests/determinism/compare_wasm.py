@@ -38,6 +38,7 @@ def main():
     cases = [(["replay", option, replay], None)
              for replay in replays for option in ("--verify", "--json", "--text")]
     cases.append((["prove", "--first", *(str(path) for path in sorted(ROOT.glob("levels/*.json")))], None))
+    cases.append((["generate", "--difficulty", "0.05", "--seed", "1"], None))
     cases.append((["simulate", "-", "--steps", "0", "--trace", "-", "--quiet"], numbers()))
     for arguments, text in cases:
         expected, got = output(native, arguments, text), output(wasm, arguments, text)
