@@ -11,7 +11,17 @@ namespace search {
 using Seed = std::uint64_t;
 
 /// Uses of one seed, each with random numbers of its own.
-enum class Use : std::uint64_t { proposals, searching, fresh, hand, turn, match, played, solving, generating };
+enum class Use : std::uint64_t {
+  proposals,
+  searching,
+  fresh,
+  hand,
+  turn,
+  match,
+  played,
+  solving,
+  generating
+};
 
 /// Random numbers of the i-th thing, and the k-th of it, that a seed is used for.
 inline games::Random random_of(Seed seed, Use use, std::uint64_t i = 0, std::uint64_t k = 0) {

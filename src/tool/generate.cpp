@@ -128,7 +128,8 @@ void add_generate(CLI::App& carom, int& status) {
   command->footer(
       "Puts levels together from parts until one stays as it is, can be won, is not won by chance\n"
       "and is as hard as it is wanted; prints it, and on standard error its difficulty. The same\n"
-      "order gives the same bytes on every machine (docs/search.md).\n"
+      "order gives the same bytes on every machine. Hard levels take a minute or more\n"
+      "(docs/search.md).\n"
       "Exit status: 0 done; 1 no candidate is right; 2 wrong usage.\n\n"
       "Examples:\n"
       "  carom generate --difficulty 0.6 --seed 7 > my-level.json\n"
