@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -86,6 +87,14 @@ std::optional<app::Key> typed_key(std::string_view typed) {
   return std::nullopt;
 }
 
+app::HostEnvironment with_random_numbers(app::HostEnvironment host) {
+  host.random = [] {
+    std::random_device source;
+    return std::uint64_t{source()} << 32U | source();
+  };
+  return host;
+}
+
 class SdlWindow final : public GameWindow {
  public:
   explicit SdlWindow(WindowSetup setup)
@@ -95,7 +104,7 @@ class SdlWindow final : public GameWindow {
         painter_(window_.get()),
         app_(setup.language, setup.width, setup.height, setup.store,
              setup.clipboard ? *setup.clipboard : desktop_clipboard_, std::move(setup.levels),
-             std::move(setup.host)) {
+             with_random_numbers(std::move(setup.host))) {
 #ifndef __EMSCRIPTEN__
     set_icon(window_.get());
 #endif

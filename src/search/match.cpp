@@ -10,19 +10,15 @@ GameResult play_game(const std::array<Level, 2>& sides, int breaker, Seed seed,
   using namespace games::billiards;
   // Player 0 breaks.
   const auto side_of = [breaker](int player) { return static_cast<std::size_t>(player ^ breaker); };
-  games::Random seeds = random_of(seed, Use::match);
-  const std::array<Seed, 2> seed_of{seeds.next(), seeds.next()};  // by player
-
   games::billiards::Game game;
   GameResult result;
   carom::Fnv1a hash;
   for (int turn = 0; turn < most_turns && game.phase() != Phase::over; ++turn) {
-    const auto player = static_cast<std::size_t>(game.player());
     const std::size_t side = side_of(game.player());
     // The game waits for this player, and the table has room.
-    Opponent opponent =
-        Opponent::create(game, sides[side], seed_of[player], static_cast<std::uint64_t>(turn))
-            .value();
+    Opponent opponent = Opponent::create(game, sides[side], player_seed(seed, game.player()),
+                                         static_cast<std::uint64_t>(turn))
+                            .value();
     while (!opponent.done()) opponent.advance(1U << 20U, rollouts);
     const Decision decision = opponent.decision();
     if (decision.meant.place) {

@@ -5,6 +5,12 @@
 
 namespace search {
 
+Seed player_seed(Seed game, int player) {
+  games::Random seeds = random_of(game, Use::match);
+  const Seed first = seeds.next();
+  return player == 0 ? first : seeds.next();
+}
+
 carom::Result<Opponent> Opponent::create(Game game, const Level& level, Seed seed,
                                          std::uint64_t turn) {
   const Seed turn_seed = random_of(seed, Use::turn, turn).next();

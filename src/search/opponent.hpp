@@ -39,6 +39,10 @@ inline constexpr std::array<Level, 10> levels{{
     {"machine", {0}, 22},
 }};
 
+/// The seed of one of the players, 0 or 1, of a game with this seed: two computers do not share
+/// their luck.
+Seed player_seed(Seed game, int player);
+
 /// The computer's decision in a turn.
 struct Decision {
   Shot meant{};        ///< the place for the cue ball in hand is taken as it is

@@ -100,6 +100,17 @@ class Walk {
     game.key(Key::escape);
     game.press(in(Text::new_game_more));
     check(game);
+    game.press(in(Text::who_plays));
+    check(game);
+    game.press(in(Text::set_opponent));
+    check(game);
+    for (const Key by : {Key::escape, Key::escape}) game.key(by);
+    game.press(in(Text::billiards));
+    check(game);
+    game.key(Key::escape);
+    check(game);
+    for (int i = 0; i < 2; ++i) game.press(in(Text::resign));
+    check(game);
     game.key(Key::escape);
     game.key(Key::help);
     check(game);

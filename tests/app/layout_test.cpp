@@ -308,6 +308,52 @@ TEST_P(Layout, TurnThenPower) {
   }
 }
 
+/// The choice of a game, with the most rows that there are, and a game against a computer.
+TEST_P(Layout, NewGameAndTheComputer) {
+  for (const bool touch : {false, true}) {
+    if (touch)
+      for (const auto phase : {app::Finger::Phase::down, app::Finger::Phase::up})
+        game.app().event(app::Finger{0, phase, {1, 1}});
+    game.press(in(Text::new_game_more));
+    for (int seats = 0; seats < 3; ++seats) {
+      check(in(Text::new_game));
+      game.press(in(Text::who_plays));
+    }
+    for (int i = 0; i < 8; ++i) {
+      key(app::Key::tab);
+      check(in(Text::new_game));
+    }
+    key(app::Key::escape);
+    app::Settings settings = game.app().settings().get();
+    settings.seats = app::Seats::computer;
+    settings.opponent = 10;
+    settings.match = app::BestOf::three;
+    settings.names = {long_names[1], ""};
+    game.app().settings().set(settings);
+    game.press(in(Text::new_game_more));
+    check(in(Text::new_game));
+    game.press(in(Text::set_opponent));
+    check();
+    for (int i = 0; i < 2; ++i) key(app::Key::escape);
+    settings.breaks = app::Breaks::player_2;
+    game.app().settings().set(settings);
+    game.press(in(Text::billiards));
+    game.pass(200ms);
+    check();
+    game.pass(700ms);
+    check();
+    key(app::Key::escape);
+    check(in(Text::paused));
+    game.press(in(Text::resign));
+    check(in(Text::ask_resign));
+    game.press(in(Text::resign));
+    check(in(Text::wins, {in(Text::computer, {"10"})}));
+    key(app::Key::escape);
+    settings.seats = app::Seats::two;
+    game.app().settings().set(settings);
+  }
+}
+
 TEST_P(Layout, WatchAndQuestion) {
   key(app::Key::enter);
   game.pass(3s);

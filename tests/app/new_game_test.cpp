@@ -27,7 +27,7 @@ TEST_F(NewGameTest, ThePlainGameIsTheReports) {
 
 TEST_F(NewGameTest, WhatIsChosenIsPlayedAndOneTapPlaysItAgain) {
   game.press("…");
-  ASSERT_TRUE(game.says("New game · Players: Two · Balls: Classic: 36")) << game.title();
+  ASSERT_TRUE(game.says("New game · Players: Two · Match: One game · Balls: Classic: 36")) << game.title();
   game.press("Balls");
   game.press("Score and play on");
   game.press("Hit a ball");
@@ -50,6 +50,8 @@ TEST_F(NewGameTest, ByKeysAlone) {
   game.key(Key::enter);
   ASSERT_TRUE(game.says("New game · "));
   for (int i = 0; i < 3; ++i) game.key(Key::tab);  // Start, Back, Players
+  game.key(Key::enter);
+  EXPECT_TRUE(game.says("Players: Computer · Level: 3"));
   game.key(Key::enter);
   EXPECT_TRUE(game.says("Players: Alone"));
   game.key(Key::escape);

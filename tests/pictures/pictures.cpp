@@ -70,6 +70,7 @@ class Visitor {
     end_of_billiards();
     ways_of_aiming();
     new_game();
+    computer();
     practice();
     levels();
     replays();
@@ -314,11 +315,37 @@ class Visitor {
     }
   }
 
+  void computer() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    app::Settings settings = game.app().settings().get();
+    settings.seats = app::Seats::computer;
+    settings.opponent = 5;
+    settings.match = app::BestOf::three;
+    settings.breaks = app::Breaks::player_2;
+    game.app().settings().set(settings);
+    game.press(say(app::Text::billiards));
+    game.pass(300ms);
+    take(game, "computer-thinks");
+    game.pass(800ms);
+    take(game, "computer-aims");
+    game.pass(2s);
+    game.key(Key::escape);
+    take(game, "computer-pause-menu");
+    for (int i = 0; i < 2; ++i) game.press(say(app::Text::resign));
+    take(game, "computer-wins");
+  }
+
   void new_game() {
     app::MemoryStore store;
     Game game(*this, store);
     game.press(say(app::Text::new_game_more));
     take(game, "new-game");
+    game.press(say(app::Text::who_plays));
+    take(game, "new-game-computer");
+    game.press(say(app::Text::set_opponent));
+    take(game, "opponents");
+    game.key(Key::escape);
     game.press(say(app::Text::who_plays));
     game.press(say(app::Text::set_rack));
     take(game, "new-game-alone");

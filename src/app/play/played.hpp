@@ -75,6 +75,8 @@ class Played {
     restarted();
   }
   void step() { recorder_.step(); }
+  /// There is nothing to be continued.
+  void give_up() { session_.kept.forget(place_); }
 
   /// Keeps the game as it is now; once it is over, there is none to continue. False when it could
   /// not be kept and the player has not been told yet.

@@ -6,6 +6,10 @@
 
 namespace app {
 
+std::uint64_t Session::fresh_seed() {
+  return (host.random ? host.random() : ++seeds) & replay::most_mark;
+}
+
 Language language_of(const Session& session) {
   if (session.asked_language) return *session.asked_language;
   if (const auto chosen = session.settings.get().language) return *chosen;
@@ -18,19 +22,6 @@ void speak(const Session& session, Words& words) {
     words.speak(language);
   else
     session.host.fetch_texts(language);
-}
-
-games::billiards::Options options_of(const Session& session, bool practice) {
-  if (practice) return {.alone = true};
-  const Settings& settings = session.settings.get();
-  games::billiards::Options options{.touch_red = settings.touch_red, .rack = settings.rack};
-  if (settings.seats == Seats::alone) {
-    options.alone = true;
-  } else {
-    options.first_player = first_player(settings.breaks, session.last_game);
-    options.keep_turn = settings.keep_turn;
-  }
-  return options;
 }
 
 Pasted read_pasted(const Session& session) {

@@ -15,6 +15,7 @@
 #include "app/storage/saved_replays.hpp"
 #include "app/storage/settings.hpp"
 #include "app/text/text.hpp"
+#include "carom/rollouts.hpp"
 #include "replay/recorder.hpp"
 
 namespace app {
@@ -44,6 +45,9 @@ struct Session {
   /// The lesson is shown wherever a ball waits to be shot.
   bool teaches() const { return teach && settings.get().hints; }
 
+  /// Another number for every game that has luck.
+  std::uint64_t fresh_seed();
+
   Campaign campaign;
   AloneBest alone;
   KeptGames kept;
@@ -58,17 +62,16 @@ struct Session {
   bool system_reduced_motion = false;     ///< what the desktop or browser asks for
   HostEnvironment host;
   Keyboard keyboard;
-  int needless_clicks = 0;  ///< for a next throw, where nothing could change any more
-  bool teach = false;       ///< how to shoot is not known yet
+  int needless_clicks = 0;   ///< for a next throw, where nothing could change any more
+  bool teach = false;        ///< how to shoot is not known yet
+  carom::Rollouts rollouts;  ///< plays what computers think of
+  std::uint64_t seeds = 0;   ///< given out, where the host has no random numbers
 };
 
 /// The language to speak now.
 Language language_of(const Session& session);
 /// Makes `words` speak it, once its texts are there.
 void speak(const Session& session, Words& words);
-/// Options of a new game of billiards; `practice`: for one who practises.
-games::billiards::Options options_of(const Session& session, bool practice);
-
 /// The clipboard's content. Neither a replay nor a fault: it comes later, with Key::paste.
 struct Pasted {
   std::optional<replay::Replay> replay{};

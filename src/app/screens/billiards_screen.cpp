@@ -4,6 +4,7 @@
 
 #include "app/graphics/palette.hpp"
 #include "app/play/first_aim.hpp"
+#include "app/play/table_match.hpp"
 #include "games/launch.hpp"
 
 namespace app {
@@ -12,22 +13,21 @@ namespace billiards = games::billiards;
 using billiards::Phase;
 
 BilliardsScreen::BilliardsScreen(const Words& words, Session& session, Mode mode)
-    : BilliardsScreen(
-          words, session,
-          BilliardsRecorder(billiards::Game(options_of(session, mode == Mode::practice)))) {
+    : BilliardsScreen(words, session, new_table(session, mode == Mode::practice)) {
   if (mode == Mode::practice) played_.begin_practice();
 }
 
 BilliardsScreen::BilliardsScreen(const Words& words, Session& session, BilliardsRecorder played,
                                  KeptGames::Place place)
-    : PlayScreen(words, session, played, std::move(place),
-                 WorldView(played.game().world().scene(), false)),
-      bar_(words) {
+    : PlayScreen(words.with_computers(played.occasion().computer), session, played,
+                 std::move(place), WorldView(played.game().world().scene(), false)),
+      bar_(words_) {
   pointer_ = viewport().to_window(billiards::cue_start);
   begin();
 }
 
 BilliardsScreen::Doing BilliardsScreen::doing() const {
+  if (resigned_) return Doing::over;
   switch (game().phase()) {
     case Phase::aim:
       return Doing::aim;
@@ -46,9 +46,34 @@ carom::Vec2 BilliardsScreen::first_drag() const {
 }
 
 bool BilliardsScreen::start_again() {
-  played_.restart(
-      BilliardsRecorder(billiards::Game(options_of(session_, played_.practice().has_value()))));
+  const bool over = doing() == Doing::over && !played_.practice();
+  played_.restart(over ? next_table(session_, played_.recorder(), winner())
+                       : same_table(session_, played_.recorder()));
+  resigned_.reset();
   return true;
+}
+
+std::optional<ComputerTurn> BilliardsScreen::computer_turn() const {
+  return resigned_ ? std::nullopt : ComputerTurn::begin(game(), occasion());
+}
+
+void BilliardsScreen::play(const search::Decision& decision) {
+  // The search tried them on this very table: the game takes both.
+  if (decision.meant.place) played_.apply(billiards::Place{*decision.meant.place});
+  Aim aim;
+  aim.set(decision.drag);
+  played_.launch(aim);
+}
+
+bool BilliardsScreen::can_resign() const {
+  return doing() != Doing::over && (occasion().computer[0] > 0) != (occasion().computer[1] > 0);
+}
+
+void BilliardsScreen::resign() {
+  resigned_ = occasion().computer[0] > 0 ? 1 : 0;
+  session_.last_game = {game().options().first_player, winner()};
+  played_.give_up();
+  follow_phase();
 }
 
 void BilliardsScreen::note(const Event& event) {
@@ -89,7 +114,8 @@ void BilliardsScreen::announce_turn(const std::string& detail) {
 
 Over BilliardsScreen::ending() {
   if (game().options().alone && !played_.practice()) return cleared();
-  const std::optional<int> winner = game().winner();
+  const std::optional<int> winner = this->winner();
+  const bool match = occasion().best_of > 1;
   std::vector<Dialog::Line> lines{
       {.columns = {{words_.player(0), words_.player(1)}}, .heads = true}};
   const auto compare = [&](Text what, auto count) {
@@ -101,9 +127,18 @@ Over BilliardsScreen::ending() {
   compare(Text::best_turn, [&](int player) { return game().tally(player).best_turn; });
   compare(Text::shots, [&](int player) { return game().tally(player).shots; });
   compare(Text::fouls, [&](int player) { return game().tally(player).fouls; });
-  std::vector<Dialog::Button> buttons = end_buttons();
+  if (match)
+    compare(Text::games_won, [&, won = games_won(occasion(), winner)](int player) {
+      return won[static_cast<std::size_t>(player)];
+    });
+  const bool goes_on = match && !match_winner(occasion(), winner);
+  const bool computer = occasion().computer != std::array{0, 0};
+  std::vector<Dialog::Button> buttons = end_buttons(goes_on    ? Text::next_game
+                                                    : computer ? Text::rematch
+                                                               : Text::play_again);
   buttons.push_back({leave, words_(Text::back_to_title), words_(Text::tip_title)});
-  return {Dialog(winner ? words_(Text::wins, {words_.player(*winner)}) : words_(Text::draw),
+  const Text wins = match && !goes_on ? Text::wins_match : Text::wins;
+  return {Dialog(winner ? words_(wins, {words_.player(*winner)}) : words_(Text::draw),
                  std::move(lines), std::move(buttons))};
 }
 
@@ -179,6 +214,8 @@ void BilliardsScreen::draw_bar(Canvas& canvas) const {
 
 std::string BilliardsScreen::now() const {
   const std::string player = words_.player(game().player());
+  if (resigned_) return end_title();
+  if (thinking()) return words_(Text::thinking, {player});
   switch (game().phase()) {
     case Phase::aim:
       return words_(Text::aiming, {player});

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// A game of billiards for two, from the first shot to the end; or a table to practise on, where
-/// shots can be taken back and nothing is saved.
+/// A game of billiards for two, or against a computer, from the first shot to the end; or a table
+/// to practise on, where shots can be taken back and nothing is saved.
 class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBall> {
  public:
   enum class Mode : std::uint8_t { game, practice };
@@ -20,10 +20,16 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
 
  private:
   Doing doing() const override;
-  bool moving() const override { return game().phase() == games::billiards::Phase::roll; }
+  bool moving() const override {
+    return game().phase() == games::billiards::Phase::roll && !resigned_;
+  }
   carom::Vec2 first_drag() const override;
   Over ending() override;
   bool start_again() override;
+  std::optional<ComputerTurn> computer_turn() const override;
+  void play(const search::Decision& decision) override;
+  bool can_resign() const override;
+  void resign() override;
   void announce_start() override { announce_turn({}); }
   void note(const Event& event) override;
   void begin_launch() override {
@@ -59,10 +65,13 @@ class BilliardsScreen final : public PlayScreen<games::billiards::Game, PlaceBal
   void announce_turn(const std::string& detail);
   PlaceBall::Stage stage() const;
   Over cleared();
+  const replay::Occasion& occasion() const { return played_.recorder().occasion(); }
+  std::optional<int> winner() const { return resigned_ ? 1 - *resigned_ : game().winner(); }
 
   BilliardsBar bar_;
-  bool missed_ = false;  ///< the last shot touched no red, which the house rule forbids
-  int shooter_ = 0;      ///< whose turn it was when the balls began to roll
+  bool missed_ = false;          ///< the last shot touched no red, which the house rule forbids
+  std::optional<int> resigned_;  ///< the player who did
+  int shooter_ = 0;              ///< whose turn it was when the balls began to roll
 };
 
 }  // namespace app

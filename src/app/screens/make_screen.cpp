@@ -9,6 +9,7 @@
 #include "app/screens/level_menu.hpp"
 #include "app/screens/load_screen.hpp"
 #include "app/screens/new_game.hpp"
+#include "app/screens/opponent_list.hpp"
 #include "app/screens/replay_list.hpp"
 #include "app/screens/replay_screen.hpp"
 #include "app/screens/settings_screen.hpp"
@@ -64,6 +65,9 @@ struct Maker {
   }
   Made operator()(const ShowHelp&) const { return std::make_unique<Help>(words, session); }
   Made operator()(const ShowNewGame&) const { return std::make_unique<NewGame>(words, session); }
+  Made operator()(const ShowOpponents&) const {
+    return std::make_unique<OpponentList>(words, session);
+  }
 };
 
 }  // namespace
@@ -74,7 +78,9 @@ std::unique_ptr<Screen> make_screen(const Words& words, Session& session, Naviga
 
 bool lies_over(const Navigation& request) {
   return std::holds_alternative<Watch>(request) || std::holds_alternative<ShowSettings>(request) ||
-         std::holds_alternative<ShowHelp>(request) || std::holds_alternative<ShowNewGame>(request);
+         std::holds_alternative<ShowHelp>(request) ||
+         std::holds_alternative<ShowNewGame>(request) ||
+         std::holds_alternative<ShowOpponents>(request);
 }
 
 }  // namespace app

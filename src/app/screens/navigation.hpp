@@ -74,12 +74,14 @@ struct ShowSettings {
 struct ShowHelp {};
 /// The choice of the next game of billiards.
 struct ShowNewGame {};
+/// The choice of the computer's level.
+struct ShowOpponents {};
 
 /// Ends the program.
 struct Quit {};
 
 using Navigation = std::variant<Stay, Back, Ask, Answer, ShowTitle, PlayBilliards, ShowLevels,
                                 PlayLevel, ShowSavedGames, Load, Resume, ShowReplays, Watch,
-                                ShowSettings, ShowHelp, ShowNewGame, Quit>;
+                                ShowSettings, ShowHelp, ShowNewGame, ShowOpponents, Quit>;
 
 }  // namespace app

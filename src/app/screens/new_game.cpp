@@ -1,11 +1,13 @@
 #include "app/screens/new_game.hpp"
 
 #include <array>
+#include <type_traits>
 #include <utility>
 
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
+#include "app/screens/opponent_list.hpp"
 
 namespace app {
 
@@ -15,6 +17,7 @@ namespace {
 
 // Units.
 constexpr float width = 440;
+constexpr float wide = 760;  ///< in two columns
 constexpr float title_height = 60;
 constexpr float row_height = 48;
 constexpr float gap = 8;
@@ -22,58 +25,113 @@ constexpr float padding = 20;
 
 }  // namespace
 
-NewGame::NewGame(const Words& words, Session& session)
-    : words_(words),
-      session_(session),
-      buttons_({{players}, {rack}, {keep_turn}, {touch_red}, {start}, {back}}, start) {
-  buttons_.explain(players, words_(Text::about_who_plays));
-  buttons_.explain(rack, words_(Text::about_rack));
-  buttons_.explain(keep_turn, words_(Text::about_keep_turn));
-  buttons_.explain(touch_red, words_(Text::about_touch_red));
-  buttons_.explain(start, words_(Text::tip_billiards));
-  buttons_.explain(back, words_(Text::tip_close_help));
-  relabel();
+NewGame::NewGame(const Words& words, Session& session) : words_(words), session_(session) {}
+
+std::vector<NewGame::Button> NewGame::rows() const {
+  std::vector<Button> rows{players};
+  const Seats seats = session_.settings.get().seats;
+  if (seats == Seats::computer) rows.push_back(opponent);
+  if (seats != Seats::alone) rows.push_back(match);
+  rows.insert(rows.end(), {rack, keep_turn, touch_red});
+  return rows;
 }
 
-void NewGame::relabel() {
+std::string NewGame::label_of(Button button) const {
   const Settings& now = session_.settings.get();
-  const auto row = [&](Button button, Text what, Text value) {
-    buttons_.relabel(button, words_(Text::key_line, {words_(what), words_(value)}));
+  const auto row = [&](Text what, const std::string& value) {
+    return words_(Text::key_line, {words_(what), value});
   };
-  const auto on_or_off = [](bool on) { return on ? Text::yes : Text::no; };
-  row(players, Text::who_plays, now.seats == Seats::alone ? Text::seats_alone : Text::seats_two);
-  row(rack, Text::set_rack, now.rack == Rack::quick ? Text::rack_quick : Text::rack_classic);
-  row(keep_turn, Text::set_keep_turn, on_or_off(now.keep_turn));
-  row(touch_red, Text::set_touch_red, on_or_off(now.touch_red));
-  buttons_.relabel(start, words_(Text::start_game));
-  buttons_.relabel(back, words_(Text::help_back));
+  const auto on_or_off = [&](bool on) { return words_(on ? Text::yes : Text::no); };
+  switch (button) {
+    case players:
+      return row(Text::who_plays, words_(now.seats == Seats::alone      ? Text::seats_alone
+                                         : now.seats == Seats::computer ? Text::seats_computer
+                                                                        : Text::seats_two));
+    case opponent:
+      return row(Text::set_opponent, ranked(words_, now.opponent));
+    case match:
+      return row(Text::set_match,
+                 now.match == BestOf::one
+                     ? words_(Text::match_one)
+                     : words_(Text::match_best, {words_.number(games_of(now.match))}));
+    case rack:
+      return row(Text::set_rack,
+                 words_(now.rack == Rack::quick ? Text::rack_quick : Text::rack_classic));
+    case keep_turn:
+      return row(Text::set_keep_turn, on_or_off(now.keep_turn));
+    case touch_red:
+      return row(Text::set_touch_red, on_or_off(now.touch_red));
+    case start:
+      return words_(Text::start_game);
+    case back:
+      break;
+  }
+  return words_(Text::help_back);
 }
 
 void NewGame::resize(const View& view) {
+  view_ = view;
+  constexpr std::array tips{Text::about_who_plays, Text::about_opponent,  Text::about_match,
+                            Text::about_rack,      Text::about_keep_turn, Text::about_touch_red,
+                            Text::tip_billiards,   Text::tip_close_help};
+  const std::vector<Button> rows = this->rows();
+  std::vector<Buttons::Button> shown;
+  for (const Button button : rows) shown.push_back({button});
+  shown.insert(shown.end(), {{start}, {back}});
+  Buttons buttons(std::move(shown), start);
+  buttons.keep_focus(buttons_);
+  buttons_ = std::move(buttons);
+  for (const auto& button : buttons_.all()) {
+    const auto id = static_cast<Button>(button.id);
+    buttons_.explain(id, words_(tips[id]));
+    buttons_.relabel(id, label_of(id));
+  }
+
   const float high = view.button(row_height);
-  const float pitch =
-      std::min(high + view.px(gap), (view.height - view.px(title_height + 2 * padding + gap)) / 5);
-  const float least = std::min(high, pitch - view.px(4));
-  panel_ = centered(view.area().center(), std::min(view.px(width), view.width - view.px(16)),
-                    view.px(title_height + 2 * padding) + 5 * pitch);
+  const float around = view.px(title_height + 2 * padding);
+  const float pitch = high + view.px(gap);
+  // In a low window two stand side by side, and the title lower.
+  const auto lines_of = [&](std::size_t columns) {
+    return static_cast<float>((rows.size() + columns - 1) / columns + 1);
+  };
+  const std::size_t columns = view.height < around + lines_of(1) * pitch ? 2 : 1;
+  const float height = std::min(around + lines_of(columns) * pitch, view.height);
+  const float step = std::min(pitch, (height - around) / lines_of(columns));
+  const float least = std::min(high, step - view.px(4));
+  panel_ =
+      centered(view.area().center(),
+               std::min(view.px(columns == 1 ? width : wide), view.width - view.px(16)), height);
   Rect rest = panel_.inset(view.px(padding));
   title_ = rest.cut_top(view.px(title_height)).inset(0, view.px(4));
-  for (const Button button : {players, rack, keep_turn, touch_red}) {
-    Rect row = rest.cut_top(pitch);
-    buttons_.place(view, button, row.cut_top(least));
+  const float half = (rest.w - view.px(gap)) / 2;
+  Rect line;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % columns == 0) {
+      line = rest.cut_top(step);
+      line.h = least;
+    }
+    buttons_.place(view, rows[i], columns == 1 ? line : line.cut_left(half));
+    if (columns == 2) line.cut_left(view.px(gap));
   }
   Rect row = rest.cut_top(least);
   buttons_.place(view, start, row.cut_left((row.w - view.px(gap)) * 0.6f));
   row.cut_left(view.px(gap));
   buttons_.place(view, back, row);
-  relabel();
+  buttons_.set_columns(columns);
 }
 
 void NewGame::change(Button button) {
   Settings settings = session_.settings.get();
+  const auto next = [](auto& choice, int count) {
+    choice = static_cast<std::remove_reference_t<decltype(choice)>>((static_cast<int>(choice) + 1) %
+                                                                    count);
+  };
   switch (button) {
     case players:
-      settings.seats = settings.seats == Seats::two ? Seats::alone : Seats::two;
+      next(settings.seats, 3);
+      break;
+    case match:
+      next(settings.match, 3);
       break;
     case rack:
       settings.rack = settings.rack == Rack::classic ? Rack::quick : Rack::classic;
@@ -84,12 +142,13 @@ void NewGame::change(Button button) {
     case touch_red:
       settings.touch_red = !settings.touch_red;
       break;
+    case opponent:
     case start:
     case back:
       return;
   }
   session_.settings.set(std::move(settings));
-  relabel();
+  resize(view_);
 }
 
 Navigation NewGame::event(const Input& input) {
@@ -98,6 +157,7 @@ Navigation NewGame::event(const Input& input) {
   if (!chosen) return Stay{};
   if (*chosen == start) return PlayBilliards{};
   if (*chosen == back) return Back{};
+  if (*chosen == opponent) return ShowOpponents{};
   change(static_cast<Button>(*chosen));
   return Stay{};
 }
@@ -118,8 +178,7 @@ void NewGame::draw(Canvas& canvas) const {
 
 std::string NewGame::describe() const {
   std::string line = words_(Text::product) + " · " + words_(Text::new_game);
-  for (const Button button : {players, rack, keep_turn, touch_red})
-    line += " · " + buttons_.label_of(button);
+  for (const Button button : rows()) line += " · " + buttons_.label_of(button);
   return line;
 }
 

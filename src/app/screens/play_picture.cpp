@@ -2,6 +2,7 @@
 
 #include "app/graphics/palette.hpp"
 #include "app/hud/aim_view.hpp"
+#include "app/hud/cue_view.hpp"
 #include "app/hud/loupe.hpp"
 #include "app/screens/next_offer.hpp"
 #include "app/screens/place_ball.hpp"
@@ -23,6 +24,7 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
   if (canvas.shake) effects_.shake(list, begin, layout_.world);
   const auto* launcher = std::get_if<Launcher>(&state_);
   if (launcher) draw_launcher(canvas, *launcher);
+  if (const auto* computer = std::get_if<ComputerTurn>(&state_)) draw_computer(canvas, *computer);
   const auto* waiting = std::get_if<Waiting>(&state_);
   if (waiting) draw_waiting(canvas, *waiting, false);
   effects_.draw_over_balls(canvas, viewport(), effects_area(canvas), shown_world());
@@ -64,6 +66,20 @@ void PlayScreen<Game, Waiting>::draw_launcher(Canvas& canvas, const Launcher& la
                   lead_color(*list.palette));
 }
 
+/// Its cue, and the aim that it has chosen; the hand that shoots may err.
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::draw_computer(Canvas& canvas, const ComputerTurn& turn) const {
+  const auto cue = turn.cue();
+  if (!cue) return;
+  if (!turn.thinking()) {
+    Aim meant;
+    meant.set(search::drag(turn.decision().meant.aim));
+    draw_aim(canvas.list, viewport(), turn.world(), meant,
+             previewer_.of(turn.world(), meant, {.preview = PreviewLength::contact}, false));
+  }
+  draw_cue(canvas.list, layout_.world, viewport(), turn.world().ball(0), *cue);
+}
+
 template <class Game, class Waiting>
 std::string PlayScreen<Game, Waiting>::hint() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
@@ -78,6 +94,8 @@ std::string PlayScreen<Game, Waiting>::hint() const {
   if (watches)
     return words_(watch_hint(),
                   {session_.keyboard.name(Command::fast), session_.keyboard.name(Command::pause)});
+  if (std::holds_alternative<ComputerTurn>(state_))
+    return words_(thinking() ? Text::hint_thinking : Text::hint_computer_aims);
   return std::holds_alternative<Waiting>(state_) ? waiting_hint() : std::string();
 }
 

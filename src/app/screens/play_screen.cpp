@@ -66,7 +66,9 @@ template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::change_speed(const Input& input) -> Handled {
   const auto* launcher = std::get_if<Launcher>(&state_);
   const bool free = !std::holds_alternative<Over>(state_) && !(launcher && launcher->held());
-  const bool watches = std::holds_alternative<Watching>(state_) && !on_button();
+  const bool watches =
+      (std::holds_alternative<Watching>(state_) || std::holds_alternative<ComputerTurn>(state_)) &&
+      !on_button();
   return game_speed_.event(input, free, watches) ? Handled(Stay{}) : std::nullopt;
 }
 
@@ -173,7 +175,13 @@ void PlayScreen<Game, Waiting>::follow_phase() {
     clock_.reset();
     foresight_.end();
   }
-  switch (doing()) {
+  const Doing now = doing();
+  if (now == Doing::aim || now == Doing::wait)
+    if (auto turn = computer_turn()) {
+      state_ = std::move(*turn);
+      return;
+    }
+  switch (now) {
     case Doing::aim: {
       Launcher launcher(first_drag());
       if (const auto& practice = played_.practice(); practice && practice->ready())
@@ -214,12 +222,25 @@ Navigation PlayScreen<Game, Waiting>::iterate(nanoseconds elapsed) {
   const Speed speed = game_speed_.pass(elapsed);
   effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
   if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
+  if (auto* computer = std::get_if<ComputerTurn>(&state_))
+    compute(*computer, elapsed * speed.quarters / 4);
   if (!moving()) return Stay{};
   // Slow motion does not hold the window up.
   if (auto* over = std::get_if<Over>(&state_))
     over->wait -= elapsed * std::max(speed.quarters, 4) / 4;
   for (int due = clock_.advance(elapsed, speed); due > 0 && moving(); --due) step();
   return Stay{};
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::compute(ComputerTurn& turn, nanoseconds elapsed) {
+  const bool thought = turn.thinking();
+  turn.advance(elapsed, session_.rollouts);
+  if (thought && !turn.thinking()) interpolator_.restart(turn.world());
+  if (!turn.ready()) return;
+  play(search::Decision(turn.decision()));
+  follow_phase();
+  keep();
 }
 
 template <class Game, class Waiting>
@@ -247,6 +268,7 @@ void PlayScreen<Game, Waiting>::happened() {
 
 template <class Game, class Waiting>
 const carom::World& PlayScreen<Game, Waiting>::shown_world() const {
+  if (const auto* computer = std::get_if<ComputerTurn>(&state_)) return computer->world();
   const auto* over = std::get_if<Over>(&state_);
   return over && over->epilogue ? *over->epilogue : game().world();
 }
@@ -284,9 +306,9 @@ Launcher::Stage PlayScreen<Game, Waiting>::stage() const {
 }
 
 template <class Game, class Waiting>
-std::vector<Dialog::Button> PlayScreen<Game, Waiting>::end_buttons() const {
+std::vector<Dialog::Button> PlayScreen<Game, Waiting>::end_buttons(Text again_label) const {
   const bool back = played_.practice().has_value();
-  return {{again, words_(Text::play_again), words_(Text::tip_restart)},
+  return {{again, words_(again_label), words_(Text::tip_restart)},
           {back ? take_back : watch, words_(back ? Text::take_back : Text::watch_replay),
            words_(back ? Text::tip_take_back : Text::tip_watch)}};
 }
@@ -307,7 +329,8 @@ template <class Game, class Waiting>
 bool PlayScreen<Game, Waiting>::animating() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
   return !game_speed_.paused() &&
-         (moving() || effects_.active() || (launcher && launcher->charging()));
+         (moving() || effects_.active() || (launcher && launcher->charging()) ||
+          std::holds_alternative<ComputerTurn>(state_));
 }
 
 template class PlayScreen<games::billiards::Game, PlaceBall>;

@@ -10,6 +10,7 @@
 #include "app/hud/user_bar.hpp"
 #include "app/play/aim_hints.hpp"
 #include "app/play/clock.hpp"
+#include "app/play/computer_turn.hpp"
 #include "app/play/foresight.hpp"
 #include "app/play/game_speed.hpp"
 #include "app/play/launcher.hpp"
@@ -25,7 +26,8 @@
 
 namespace app {
 
-/// States of the player; they follow the game's phase. Aiming is a Launcher.
+/// States of the player; they follow the game's phase. Aiming is a Launcher, a computer's turn a
+/// ComputerTurn.
 struct Watching {};
 struct Over {
   Dialog dialog;
@@ -68,7 +70,7 @@ class PlayScreen : public Screen {
 
   enum Reply : ButtonId { yes, no };
   /// The pause menu's buttons.
-  enum class PauseButton : ButtonId { resume, restart, settings, help, leave };
+  enum class PauseButton : ButtonId { resume, restart, resign, settings, help, leave };
 
   /// `place`: where the game is saved already.
   PlayScreen(const Words& words, Session& session, Recorder recorder, KeptGames::Place place,
@@ -85,6 +87,12 @@ class PlayScreen : public Screen {
   virtual carom::Vec2 first_drag() const = 0;
   virtual Over ending() = 0;
   virtual bool start_again() = 0;
+  /// Of the player who is on, if that is a computer; and its decision is played.
+  virtual std::optional<ComputerTurn> computer_turn() const { return std::nullopt; }
+  virtual void play(const search::Decision&) {}
+  /// The player may give the game up; and does.
+  virtual bool can_resign() const { return false; }
+  virtual void resign() {}
   virtual void announce_start() = 0;
   /// An event of the rules, of a step or command.
   virtual void note(const Event& event) = 0;
@@ -139,12 +147,16 @@ class PlayScreen : public Screen {
   void keep();
   std::string end_title() const { return std::get<Over>(state_).dialog.title(); }
   /// Again, then the replay or in practice back by a shot.
-  std::vector<Dialog::Button> end_buttons() const;
+  std::vector<Dialog::Button> end_buttons(Text again_label = Text::play_again) const;
+  bool thinking() const {
+    const auto* computer = std::get_if<ComputerTurn>(&state_);
+    return computer && computer->thinking();
+  }
 
   Words words_;
   Session& session_;
   Played<Game> played_;
-  std::variant<Launcher, Watching, Waiting, Over> state_ = Launcher{};
+  std::variant<Launcher, ComputerTurn, Watching, Waiting, Over> state_ = Launcher{};
   Effects effects_;
   std::int64_t turn_points_ =
       0;  ///< of the turn that is shown; the game forgets them with the turn
@@ -175,15 +187,17 @@ class PlayScreen : public Screen {
   void practise(const PracticeCommand& command);
   void show_anew();
   void step();
+  void compute(ComputerTurn& turn, nanoseconds elapsed);
   const carom::World& shown_world() const;
   Launcher::Stage stage() const;
   void draw_launcher(Canvas& canvas, const Launcher& launcher) const;
+  void draw_computer(Canvas& canvas, const ComputerTurn& turn) const;
   std::string described(std::string what) const;
   std::string hint() const;
   Color hint_color(const Palette& palette) const;
 
   decltype(std::declval<Game>().phase()) phase_{};  ///< that state_ follows
-  enum class Window : std::uint8_t { question, pause, own };
+  enum class Window : std::uint8_t { question, pause, resign, own };
   Window window_{};           ///< that was opened last
   UserBar::Command asked_{};  ///< the subject of a question
   Runout<Game> runout_;

@@ -15,12 +15,15 @@ Navigation PlayScreen<Game, Waiting>::pause() {
   const auto button = [&](PauseButton id, Text label, Text tip) {
     return Dialog::Button{static_cast<ButtonId>(id), words_(label), words_(tip)};
   };
-  return Ask{.dialog = Dialog(words_(Text::paused), {},
-                              {button(PauseButton::resume, Text::resume, Text::tip_resume),
-                               button(PauseButton::restart, Text::restart, Text::tip_restart),
-                               button(PauseButton::settings, Text::settings, Text::tip_settings),
-                               button(PauseButton::help, Text::help, Text::tip_help),
-                               button(PauseButton::leave, Text::leave, Text::tip_close)}),
+  std::vector buttons{button(PauseButton::resume, Text::resume, Text::tip_resume),
+                      button(PauseButton::restart, Text::restart, Text::tip_restart),
+                      button(PauseButton::settings, Text::settings, Text::tip_settings),
+                      button(PauseButton::help, Text::help, Text::tip_help),
+                      button(PauseButton::leave, Text::leave, Text::tip_close)};
+  if (can_resign())
+    buttons.insert(buttons.begin() + 2,
+                   button(PauseButton::resign, Text::resign, Text::tip_resign));
+  return Ask{.dialog = Dialog(words_(Text::paused), {}, std::move(buttons)),
              .line = state_line(words_(Text::paused_state, {now()})),
              .shortcuts = {{Key::escape, static_cast<ButtonId>(PauseButton::resume)},
                            {app::Command::pause, static_cast<ButtonId>(PauseButton::resume)}}};
@@ -33,6 +36,12 @@ Navigation PlayScreen<Game, Waiting>::paused(ButtonId button) {
       return Stay{};
     case PauseButton::restart:
       return request(UserBar::Command::restart);
+    case PauseButton::resign:
+      window_ = Window::resign;
+      return Ask{.dialog = Dialog(words_(Text::ask_resign), {},
+                                  {{yes, words_(Text::resign), words_(Text::tip_resign)},
+                                   {no, words_(Text::keep_playing), words_(Text::tip_close_help)}}),
+                 .line = described(words_(Text::ask_resign))};
     case PauseButton::settings:
       return ShowSettings{};
     case PauseButton::help:
@@ -76,6 +85,10 @@ Navigation PlayScreen<Game, Waiting>::answered(ButtonId button) {
   if (window_ == Window::pause) return paused(button);
   if (window_ == Window::own) {
     own_answer(button);
+    return Stay{};
+  }
+  if (window_ == Window::resign) {
+    if (button == yes) resign();
     return Stay{};
   }
   if (button == yes) return obey(asked_);

@@ -109,6 +109,12 @@ std::string ReplayList::describe(const Entry& entry) const {
   return entry.replay ? line_of(words_, session_.campaign, *entry.replay) : fault(entry);
 }
 
+std::string table_name(const Words& words, const replay::Replay& table) {
+  if (table.occasion.computer == std::array{0, 0}) return words(Text::billiards);
+  const Words named = words.with_computers(table.occasion.computer);
+  return words(Text::versus, {named.player(0), named.player(1)});
+}
+
 std::string line_of(const Words& words, const Campaign& campaign, const replay::Replay& replay) {
   const auto turns = std::ranges::count_if(replay.moves, [](const replay::Move& move) {
     return std::holds_alternative<games::billiards::Shoot>(move.command) ||
@@ -117,7 +123,7 @@ std::string line_of(const Words& words, const Campaign& campaign, const replay::
   const std::string points = words.number(replay.score[0]);
   return words(
       Text::replay_line,
-      {replay.level ? shown_name(words, campaign.known(*replay.level)) : words(Text::billiards),
+      {replay.level ? shown_name(words, campaign.known(*replay.level)) : table_name(words, replay),
        words.count(Text::turns, static_cast<int>(turns)),
        replay.level ? words(Text::score) + " " + points
                     : words(Text::score_pair, {points, words.number(replay.score[1])})});

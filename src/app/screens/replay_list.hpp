@@ -54,6 +54,9 @@ class ReplayList final : public Screen {
   Rect message_box_;  ///< the foot beside what turns the pages
 };
 
+/// "Billiards"; against a computer the players: "Player 1 – Computer 4".
+std::string table_name(const Words& words, const replay::Replay& table);
+
 /// A game in a line: "Billiards · 12 turns · 300 : 200".
 std::string line_of(const Words& words, const Campaign& campaign, const replay::Replay& replay);
 

@@ -7,6 +7,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
 #include "app/screens/load_screen.hpp"
+#include "app/screens/replay_list.hpp"
 #include "app/screens/timeline.hpp"
 #include "app/view/game_effects.hpp"
 #include "app/view/game_sounds.hpp"
@@ -35,7 +36,7 @@ bool tight(const View& view) { return view.width < view.px(960); }
 }  // namespace
 
 ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player player)
-    : words_(words),
+    : words_(words.with_computers(player.replay().occasion.computer)),
       session_(session),
       player_(std::move(player)),
       speed_(first_speed),
@@ -339,7 +340,7 @@ void ReplayScreen::draw_bottom(Canvas& canvas) const {
 
 std::string ReplayScreen::title() const {
   const auto& level = player_.replay().level;
-  if (!level) return words_(Text::billiards);
+  if (!level) return table_name(words_, player_.replay());
   return shown_name(words_, session_.campaign.known(*level));
 }
 

@@ -97,6 +97,8 @@ std::string TitleScreen::offer() const {
     const auto shots = std::ranges::count_if(game.moves, [](const replay::Move& move) {
       return std::holds_alternative<games::billiards::Shoot>(move.command) && move.steps > 0;
     });
+    if (const int level = std::max(game.occasion.computer[0], game.occasion.computer[1]); level > 0)
+      return words_(Text::continue_computer, {words_.number(level)});
     if (game.options.keep_turn && !to_play_) return words_(Text::continue_table);
     const auto player =
         to_play_.value_or(game.options.alone ? 0 : (game.options.first_player + shots) % 2);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ struct HostEnvironment {
   /// Asks a finger for a text, where no keyboard comes up by itself: what for, and what it is so
   /// far; nothing if the player takes it back. Empty: it is typed.
   std::function<std::optional<std::string>(const std::string&, const std::string&)> ask_text{};
+  /// A number that nobody can foretell. Empty: games of a start have the same luck as those of
+  /// another.
+  std::function<std::uint64_t()> random{};
   /// The licences in the help. Empty: show_licences() shows them outside of the window.
   std::string_view licences{};
   std::function<void()> show_licences{};

@@ -6,6 +6,7 @@
 #include "app/base/utf8.hpp"
 #include "carom/display_text.hpp"
 #include "json/limits.hpp"
+#include "replay/replay.hpp"
 
 namespace app {
 namespace {
@@ -24,7 +25,8 @@ constexpr std::array<std::string_view, 4> palettes{"standard", "red-green", "blu
 constexpr std::array<std::string_view, 4> ways{"two-clicks", "drag-back", "turn-then-power",
                                                "turn-and-slide"};
 constexpr std::array<std::string_view, 4> previews{"off", "contact", "short", "full"};
-constexpr std::array<std::string_view, 2> all_seats{"two", "alone"};
+constexpr std::array<std::string_view, 3> all_seats{"two", "computer", "alone"};
+constexpr std::array<std::string_view, 3> matches{"1", "3", "5"};
 constexpr std::array<std::string_view, 2> racks{"classic", "quick"};
 constexpr std::array<std::string_view, 4> breakers{"player-1", "player-2", "alternate", "loser"};
 
@@ -33,7 +35,7 @@ constexpr std::array<std::string_view, 4> breakers{"player-1", "player-2", "alte
 struct Writer {
   OrderedJson& out;
   void operator()(const char* key, bool value) const { out[key] = value; }
-  void operator()(const char* key, int value) const { out[key] = value; }
+  void operator()(const char* key, int value, int, int) const { out[key] = value; }
   void operator()(const char* key, const std::array<std::string, 2>& value) const {
     out[key] = value;
   }
@@ -79,10 +81,14 @@ struct Reader {
     else
       sound = false;
   }
-  void operator()(const char* key, int& value) {
+  void operator()(const char* key, int& value, int least, int most) {
     const Json* const given = find(key);
     if (!given) return;
-    if (given->is_number_unsigned() && given->get<std::uint64_t>() <= std::uint64_t{most_volume})
+    const auto within = [&](std::uint64_t number) {
+      return number >= static_cast<std::uint64_t>(least) &&
+             number <= static_cast<std::uint64_t>(most);
+    };
+    if (given->is_number_unsigned() && within(given->get<std::uint64_t>()))
       value = given->get<int>();
     else
       sound = false;
@@ -125,7 +131,7 @@ struct Reader {
 template <class Any, class Visit>
 void visit_all(Any& settings, Visit& visit) {
   visit("language", settings.language);
-  visit("volume", settings.volume);
+  visit("volume", settings.volume, 0, most_volume);
   visit("mute", settings.mute);
   visit("reduced-motion", settings.reduced_motion, motions);
   visit("screen-shake", settings.screen_shake);
@@ -140,6 +146,8 @@ void visit_all(Any& settings, Visit& visit) {
   visit("players", settings.seats, all_seats);
   visit("rack", settings.rack, racks);
   visit("touch-red", settings.touch_red);
+  visit("opponent", settings.opponent, 1, replay::most_computer);
+  visit("match", settings.match, matches);
   visit("go-on", settings.go_on);
   visit("go-on-offered", settings.go_on_offered);
   visit("quick-rolling", settings.quick_rolling);
@@ -248,6 +256,7 @@ std::optional<Settings> KeptSettings::load() {
 void KeptSettings::set(Settings settings) {
   for (std::string& name : settings.names) name = name_of(name);
   settings.volume = std::clamp(settings.volume, 0, most_volume);
+  settings.opponent = std::clamp(settings.opponent, 1, replay::most_computer);
   const Settings before = std::exchange(settings_, std::move(settings));
   const auto lock = store_.lock();
   // Another window, or an editor, may have saved since: other contents are not overwritten.

@@ -26,8 +26,15 @@ enum class Breaks : std::uint8_t {
   loser,      ///< who lost the last game
 };
 
-/// Who plays a game of billiards. A computer will be one more.
-enum class Seats : std::uint8_t { two, alone };
+/// Who plays a game of billiards.
+enum class Seats : std::uint8_t {
+  two,
+  computer,  ///< the second player is one
+  alone,
+};
+/// How many games decide a match.
+enum class BestOf : std::uint8_t { one, three, five };
+constexpr int games_of(BestOf match) { return 2 * static_cast<int>(match) + 1; }
 
 inline constexpr int most_volume = 100;
 inline constexpr std::size_t max_settings = 64 << 10;  ///< bytes of a file
@@ -52,6 +59,8 @@ struct Settings {
   Seats seats = Seats::two;
   games::billiards::Rack rack = games::billiards::Rack::classic;
   bool touch_red = false;  ///< a shot that touches no red gives the cue ball away
+  int opponent = 3;        ///< level of the computer, 1 to replay::most_computer
+  BestOf match = BestOf::one;
   // The pace.
   bool go_on = false;          ///< the next throw comes by itself when nothing can change any more
   bool go_on_offered = false;  ///< the player was asked about it

@@ -226,8 +226,18 @@ std::string Words::foreign_name(std::string_view name) const {
 }
 
 std::string Words::player(int player) const {
+  if (const int level = computers_[static_cast<std::size_t>(player)]; level > 0)
+    return (*this)(Text::computer, {number(level)});
   const std::string& name = voice_->names[static_cast<std::size_t>(player)];
   return name.empty() ? (*this)(Text::player, {number(player + 1)}) : carom::display_text(name);
+}
+
+std::string Words::computer_rank(int level) const {
+  constexpr std::array ranks{Text::rank_casual, Text::rank_regular, Text::rank_keen,
+                             Text::rank_club,   Text::rank_league,  Text::rank_expert,
+                             Text::rank_pro,    Text::rank_master,  Text::rank_champion,
+                             Text::rank_machine};
+  return (*this)(ranks[static_cast<std::size_t>(level - 1)]);
 }
 
 }  // namespace app

@@ -80,8 +80,16 @@ class Words {
   /// A name that anybody may have given, fit to stand among other words and within quotes, which it
   /// cannot end: short, and without what parts the pieces of a line.
   std::string foreign_name(std::string_view name) const;
-  /// The name of player 0 or 1: "Player 1" for a player without one.
+  /// The name of player 0 or 1: "Player 1" for a person without one, "Computer 4" for a computer.
   std::string player(int player) const;
+  /// The same, of a game in which computers of these levels play; 0: a person.
+  Words with_computers(std::array<int, 2> levels) const {
+    Words words = *this;
+    words.computers_ = levels;
+    return words;
+  }
+  /// "Club": how well a computer of the level plays, 1 to 10.
+  std::string computer_rank(int level) const;
 
  private:
   struct Voice {
@@ -90,6 +98,7 @@ class Words {
     InputDevice hand{};
   };
   std::shared_ptr<Voice> voice_;
+  std::array<int, 2> computers_{};
 };
 
 }  // namespace app
