@@ -186,7 +186,7 @@ TEST(ComputerGame, BrokenOffAtAnyTime_GoesOnTheSame) {
     for (int i = 0; i < 60'000 && !game->over(); ++i) {
       game->play_on(16ms);
       // In all states: thinking, aiming, while the balls roll, and in the person's own turns.
-      if (!broken || i % 149 != 0 || !app::KeptGames(store).latest()) continue;
+      if (!broken || i % 997 != 0 || !app::KeptGames(store).latest()) continue;
       game.reset();
       game = std::make_unique<Against>(store);
       game->press("Continue: billiards, computer 4");

@@ -111,7 +111,9 @@ class Walk {
     check(game);
     for (int i = 0; i < 2; ++i) game.press(in(Text::resign));
     check(game);
-    game.key(Key::escape);
+    game.press(in(Text::review));
+    check(game);
+    for (const Key by : {Key::escape, Key::escape}) game.key(by);
     game.key(Key::help);
     check(game);
     game.press(in(Text::change_keys));

@@ -45,6 +45,9 @@ TEST(KeyBindings, AreWrittenAndRead) {
   EXPECT_EQ(read.value(), keys);
   EXPECT_EQ(KeyBindings::from_pairs({}).value(), KeyBindings());
   EXPECT_TRUE(KeyBindings::from_pairs({{"again", "n"}, {"next", "r"}})) << "places changed";
+  const auto older = KeyBindings::from_pairs({{"again", "h"}, {"next", "a"}});
+  ASSERT_TRUE(older) << "a file that does not know the newest command";
+  EXPECT_EQ(older.value().key_of(Command::hint), Key::b);
   using Pairs = std::vector<std::pair<std::string, std::string>>;
   for (const Pairs& wrong : {Pairs{{"again", "n"}}, Pairs{{"again", "a"}, {"again", "b"}},
                              Pairs{{"jump", "a"}}, Pairs{{"next", "A"}}, Pairs{{"next", ""}},

@@ -348,9 +348,34 @@ TEST_P(Layout, NewGameAndTheComputer) {
     check(in(Text::ask_resign));
     game.press(in(Text::resign));
     check(in(Text::wins, {in(Text::computer, {"10"})}));
+    game.press(in(Text::review));
+    check();
+    for (int i = 0; i < 400 && game.app().animating(); ++i) game.pass(16ms);
+    check();
+    key(app::Key::escape);
     key(app::Key::escape);
     settings.seats = app::Seats::two;
     game.app().settings().set(settings);
+  }
+}
+
+TEST_P(Layout, Hints) {
+  for (const bool table : {true, false}) {
+    if (table) {
+      game.press(in(Text::billiards));
+    } else {
+      game.press("Angry Balls");
+      choose_level(1);
+    }
+    check();
+    for (int step = 0; step < 3; ++step) {
+      key(app::Key::h);
+      check();
+      for (int i = 0; i < 1500 && game.shows(in(Text::hint_searching)); ++i) game.pass(32ms);
+      check();
+    }
+    key(app::Key::escape);
+    game.leave();
   }
 }
 

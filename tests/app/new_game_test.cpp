@@ -27,7 +27,8 @@ TEST_F(NewGameTest, ThePlainGameIsTheReports) {
 
 TEST_F(NewGameTest, WhatIsChosenIsPlayedAndOneTapPlaysItAgain) {
   game.press("…");
-  ASSERT_TRUE(game.says("New game · Players: Two · Match: One game · Balls: Classic: 36")) << game.title();
+  ASSERT_TRUE(game.says("New game · Players: Two · Match: One game · Balls: Classic: 36"))
+      << game.title();
   game.press("Balls");
   game.press("Score and play on");
   game.press("Hit a ball");

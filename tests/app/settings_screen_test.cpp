@@ -184,7 +184,7 @@ TEST(SettingsScreen, EveryLineIsReachedAndChangedByKeys) {
   expected.quick_rolling = false;
   expected.names = {"é", "é"};
   expected.breaks = app::Breaks::player_2;
-  expected.keep_turn = true;
+  expected.hand = app::Steadiness::four;
   EXPECT_EQ(stored(store), expected);
 }
 
@@ -288,14 +288,13 @@ TEST(SettingsScreen, NamesAreTypedAndShownEverywhere) {
   EXPECT_TRUE(again.says("Zoé vise")) << again.title();
 }
 
-TEST(SettingsScreen, WhoBreaksAndTheHouseRuleHoldFromTheNextGameOn) {
+TEST(SettingsScreen, WhoBreaksHoldsFromTheNextGameOn) {
   app::MemoryStore store;
   Start game(store);
   game.press("Billiards");
   game.key(Key::settings);
   game.press("Players");
   game.press("Who breaks");
-  game.press("Score and play on");
   game.key(Key::escape);
   EXPECT_TRUE(game.says("Player 1 aims"));
   game.press("Restart");

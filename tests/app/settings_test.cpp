@@ -35,6 +35,9 @@ Settings all_changed() {
   settings.seats = app::Seats::alone;
   settings.rack = games::billiards::Rack::quick;
   settings.touch_red = true;
+  settings.opponent = 10;
+  settings.match = app::BestOf::five;
+  settings.hand = app::Steadiness::half;
   settings.go_on = true;
   settings.go_on_offered = true;
   settings.quick_rolling = false;
@@ -70,9 +73,10 @@ TEST(Settings, AreSavedAfterEveryChange) {
             "  \"Zoé\",\n"
             "    \"Émile le 2ᵉ\"\n  ],\n  \"breaks\": \"loser\",\n  \"keep-turn\": true,\n"
             "  \"players\": \"alone\",\n  \"rack\": \"quick\",\n  \"touch-red\": true,\n"
+            "  \"opponent\": 10,\n  \"match\": \"5\",\n  \"hand\": \"0.5\",\n"
             "  \"go-on\": true,\n  \"go-on-offered\": true,\n  \"quick-rolling\": false,\n"
             "  \"keys\": {\n    \"again\": \"z\",\n    \"next\": \"p\",\n    \"pause\": \"n\",\n"
-            "    \"fast\": \"q\",\n    \"mute\": \"a\"\n  }\n}\n");
+            "    \"fast\": \"q\",\n    \"mute\": \"a\",\n    \"hint\": \"h\"\n  }\n}\n");
 }
 
 TEST(Settings, AMissingKeyHasItsDefault) {
@@ -165,6 +169,10 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"angry-balls-settings": 1, "volume": 5.5})",
                     R"({"angry-balls-settings": 1, "volume": 18446744073709551615})",
                     R"({"angry-balls-settings": 1, "mute": 0})",
+                    R"({"angry-balls-settings": 1, "opponent": 0})",
+                    R"({"angry-balls-settings": 1, "opponent": 11})",
+                    R"({"angry-balls-settings": 1, "match": 3})",
+                    R"({"angry-balls-settings": 1, "hand": "3"})",
                     R"({"angry-balls-settings": 1, "hints": null})",
                     R"({"angry-balls-settings": 1, "names": "Anna"})",
                     R"({"angry-balls-settings": 1, "names": ["Anna"]})",

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/screens/billiards_screen.hpp"
+#include "app/screens/review_screen.hpp"
 #include "app/screens/screen_stack.hpp"
 #include "platform/null_platform.hpp"
 #include "platform/png.hpp"
@@ -71,6 +72,7 @@ class Visitor {
     ways_of_aiming();
     new_game();
     computer();
+    hints();
     practice();
     levels();
     replays();
@@ -315,6 +317,44 @@ class Visitor {
     }
   }
 
+  /// Of a whole game.
+  void review() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    app::Session session(store, game.clipboard(), {});
+    app::ScreenStack screens(session.sounds);
+    const app::View view = app::View::of(size_.width, size_.height);
+    screens.resize(view);
+    screens.show(std::make_unique<app::ReviewScreen>(
+        words_, session,
+        app::GameReview::begin(
+            replay::read_replay(read("tests/replays/billiards-whole.json")).value(), 4)
+            .value()));
+    for (const int frames : {200, 20'000}) {
+      for (int i = 0; i < frames && screens.animating(); ++i) screens.iterate(20ms);
+      app::Atlas atlas;
+      app::Font font{atlas};
+      app::DrawList list;
+      app::Canvas canvas{list, font, view};
+      screens.draw(canvas);
+      app::Image picture(size_.width, size_.height, {0, 0, 0, 255});
+      app::rasterize(list, atlas, picture);
+      save(frames == 200 ? "review-begun" : "review", list, picture);
+    }
+  }
+
+  void hints() {
+    app::MemoryStore store;
+    Game game(*this, store);
+    game.press(say(app::Text::billiards));
+    game.pass(3s);
+    for (const char* name : {"hint-ball", "hint-way", "hint-aim"}) {
+      game.key(Key::h);
+      game.pass(5s);
+      take(game, name);
+    }
+  }
+
   void computer() {
     app::MemoryStore store;
     Game game(*this, store);
@@ -334,6 +374,8 @@ class Visitor {
     take(game, "computer-pause-menu");
     for (int i = 0; i < 2; ++i) game.press(say(app::Text::resign));
     take(game, "computer-wins");
+    game.key(Key::escape);
+    review();
   }
 
   void new_game() {

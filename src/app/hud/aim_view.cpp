@@ -266,12 +266,15 @@ void draw_footer(Canvas& canvas, const Rect& area, const Footer& footer, const W
     else
       draw_meter(canvas, meter, numbers, footer, words);
   }
-  if (footer.shoot) {
+  if (footer.shoot || footer.hint_button) {
     const Rect box = shoot_button(view, area);
-    rest.cut_left(box.w + canvas.px(12));
+    if (footer.hint_button && view.narrow())
+      rest.h = box.y - canvas.px(4) - rest.y;  // above it there is more room
+    else
+      rest.cut_left(box.w + canvas.px(12));
     Buttons button({{0, words(Text::shoot), words(Text::tip_shoot)}}, 0);
     button.place(view, 0, box);
-    button.draw(canvas, 18);
+    if (footer.shoot) button.draw(canvas, 18);
   }
   if (footer.fine) {
     const Rect box = fine_field(view, area);

@@ -28,10 +28,11 @@ struct Footer {
   const AimEntry* entry = nullptr;  ///< fields, in place of the numbers
   std::string hint;                 ///< what the player can do now
   Color color;                      ///< of the hint
-  bool practice = false;  ///< the strength is a speed in px/s, else a share of the greatest
-  bool slides = false;    ///< the bar of the strength can be held
-  bool shoot = false;     ///< the button that launches is there
-  bool fine = false;      ///< the field for small steps is there
+  bool practice = false;     ///< the strength is a speed in px/s, else a share of the greatest
+  bool slides = false;       ///< the bar of the strength can be held
+  bool shoot = false;        ///< the button that launches is there
+  bool hint_button = false;  ///< another button, which is not drawn here, has its place
+  bool fine = false;         ///< the field for small steps is there
 };
 /// While a launch is aimed its angle and strength in numbers and on a bar up to the greatest, and
 /// what sets them; beside them the hint, where there is room for it.

@@ -44,6 +44,7 @@ enum class Command : std::uint8_t {
   pause,
   fast,  ///< as long as it is held
   mute,
+  hint,  ///< shows a good shot, or more of it
 };
 
 struct PointerMoved {

@@ -5,8 +5,8 @@
 namespace app {
 namespace {
 
-constexpr std::array<std::string_view, all_commands.size()> names{"again", "next", "pause", "fast",
-                                                                  "mute"};
+constexpr std::array<std::string_view, all_commands.size()> names{"again", "next", "pause",
+                                                                  "fast",  "mute", "hint"};
 
 char letter(Key key) {
   return static_cast<char>('a' + (static_cast<int>(key) - static_cast<int>(Key::a)));
@@ -70,6 +70,15 @@ carom::Result<KeyBindings> KeyBindings::from_pairs(
     if (key.size() != 1 || key[0] < 'a' || key[0] > 'z')
       return wrong("\"" + key + "\" is no letter", "one from \"a\" to \"z\"");
     read.keys_[index] = static_cast<Key>(static_cast<int>(Key::a) + (key[0] - 'a'));
+  }
+  constexpr auto hint = static_cast<std::size_t>(Command::hint);
+  if (!seen[hint]) {
+    const auto taken = [&](Key key) {
+      return std::ranges::count(read.keys_, key) > (read.keys_[hint] == key ? 1 : 0);
+    };
+    for (Key free = Key::a; taken(read.keys_[hint]);
+         free = static_cast<Key>(static_cast<int>(free) + 1))
+      read.keys_[hint] = free;
   }
   // Only now: two may have changed places.
   for (std::size_t i = 0; i < all_commands.size(); ++i)

@@ -15,7 +15,7 @@
 namespace app {
 
 inline constexpr std::array all_commands{Command::again, Command::next, Command::pause,
-                                         Command::fast, Command::mute};
+                                         Command::fast,  Command::mute, Command::hint};
 
 /// Which letter does what. No letter does two things.
 class KeyBindings {
@@ -30,7 +30,8 @@ class KeyBindings {
 
   /// Names of commands and letters, "again" and "r", for a file.
   std::vector<std::pair<std::string, std::string>> to_pairs() const;
-  /// Commands left out stay at their defaults. Fails on unknown names, names given twice, and
+  /// Commands left out stay at their defaults; hint, which older files do not know, takes a free
+  /// letter if its own is taken. Fails on unknown names, names given twice, and
   /// letters that would do two things.
   static carom::Result<KeyBindings> from_pairs(
       const std::vector<std::pair<std::string, std::string>>& pairs);
@@ -38,7 +39,7 @@ class KeyBindings {
   friend bool operator==(const KeyBindings&, const KeyBindings&) = default;
 
  private:
-  std::array<Key, all_commands.size()> keys_{Key::r, Key::n, Key::p, Key::f, Key::m};
+  std::array<Key, all_commands.size()> keys_{Key::r, Key::n, Key::p, Key::f, Key::m, Key::h};
 };
 
 inline bool is_letter(Key key) { return key >= Key::a && key <= Key::z; }

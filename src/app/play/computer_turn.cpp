@@ -13,7 +13,7 @@ using Seconds = std::chrono::duration<double>;
 // A simulation takes about the square of the number of balls: these are some milliseconds of one
 // core, 14 at the rack, and in a browser ten.
 constexpr std::uint64_t squares_of_frame = 20'000;
-constexpr std::uint64_t fewest = 8;
+constexpr std::uint64_t fewest = 2;
 constexpr std::uint64_t most = 200;
 constexpr nanoseconds usual_frame = milliseconds{16};
 constexpr int longest_frame = 3;  ///< usual ones

@@ -122,6 +122,9 @@ Over AngryBallsScreen::ending() {
   } else {
     lines.push_back({words_(Text::enemies_remain, {words_.number(game().enemies_left())}), {}, {}});
   }
+  if (hints() > 0)
+    lines.push_back(
+        {words_(Text::key_line, {words_(Text::hints_used), words_.number(hints())}), {}, {}});
   std::vector<Dialog::Button> buttons = end_buttons();
   buttons.push_back({leave, words_(Text::menu), words_(Text::tip_menu)});
   if (won && campaign_.next())

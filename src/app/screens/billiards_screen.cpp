@@ -46,9 +46,12 @@ carom::Vec2 BilliardsScreen::first_drag() const {
 }
 
 bool BilliardsScreen::start_again() {
-  const bool over = doing() == Doing::over && !played_.practice();
-  played_.restart(over ? next_table(session_, played_.recorder(), winner())
-                       : same_table(session_, played_.recorder()));
+  if (played_.practice())
+    played_.restart(new_table(session_, true));
+  else if (doing() == Doing::over)
+    played_.restart(next_table(session_, played_.recorder(), winner()));
+  else
+    played_.restart(same_table(session_, played_.recorder()));
   resigned_.reset();
   return true;
 }
@@ -127,6 +130,9 @@ Over BilliardsScreen::ending() {
   compare(Text::best_turn, [&](int player) { return game().tally(player).best_turn; });
   compare(Text::shots, [&](int player) { return game().tally(player).shots; });
   compare(Text::fouls, [&](int player) { return game().tally(player).fouls; });
+  if (hints() > 0)
+    lines.push_back(
+        {words_(Text::key_line, {words_(Text::hints_used), words_.number(hints())}), {}, {}});
   if (match)
     compare(Text::games_won, [&, won = games_won(occasion(), winner)](int player) {
       return won[static_cast<std::size_t>(player)];
@@ -136,6 +142,8 @@ Over BilliardsScreen::ending() {
   std::vector<Dialog::Button> buttons = end_buttons(goes_on    ? Text::next_game
                                                     : computer ? Text::rematch
                                                                : Text::play_again);
+  if (!played_.practice())
+    buttons.push_back({review, words_(Text::review), words_(Text::tip_review)});
   buttons.push_back({leave, words_(Text::back_to_title), words_(Text::tip_title)});
   const Text wins = match && !goes_on ? Text::wins_match : Text::wins;
   return {Dialog(winner ? words_(wins, {words_.player(*winner)}) : words_(Text::draw),
@@ -156,6 +164,9 @@ Over BilliardsScreen::cleared() {
       {words_(Text::key_line, {words_(Text::fouls), words_.number(game().tally(0).fouls)}),
        {},
        {}});
+  if (hints() > 0)
+    lines.push_back(
+        {words_(Text::key_line, {words_(Text::hints_used), words_.number(hints())}), {}, {}});
   std::vector<Dialog::Button> buttons = end_buttons();
   buttons.push_back({leave, words_(Text::back_to_title), words_(Text::tip_title)});
   return {

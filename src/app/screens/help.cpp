@@ -107,7 +107,7 @@ void Help::lay_out(std::span<const Section> in_order) {
     const std::string text =
         words_(section.lines, {keyboard_.name(Command::again), keyboard_.name(Command::next),
                                keyboard_.name(Command::pause), keyboard_.name(Command::fast),
-                               keyboard_.name(Command::mute)});
+                               keyboard_.name(Command::mute), keyboard_.name(Command::hint)});
     const auto count = static_cast<float>(std::ranges::count(text, '\n') + 1);
     const float height = title + count * line;
     if (y + std::min(height, area.h) > area.bottom() + 0.5f) {

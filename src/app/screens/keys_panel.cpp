@@ -9,8 +9,8 @@
 namespace app {
 namespace {
 
-constexpr std::array names{Text::key_again, Text::key_next, Text::key_pause, Text::key_fast,
-                           Text::key_mute};
+constexpr std::array names{Text::key_again, Text::key_next, Text::key_pause,
+                           Text::key_fast,  Text::key_mute, Text::key_hint};
 static_assert(names.size() == all_commands.size());
 
 }  // namespace
@@ -35,21 +35,27 @@ void KeysPanel::relabel() {
 }
 
 void KeysPanel::resize(const View& view, const Rect& area) {
-  Rect rest = centered(area.center(), std::min(area.w, view.px(440)), area.h);
   const bool low = view.height < view.px(480);
+  // In a low window two stand side by side.
+  const std::size_t columns = low ? 2 : 1;
+  Rect rest = centered(area.center(), std::min(area.w, view.px(low ? 640 : 440)), area.h);
   head_ = rest.cut_top(view.px(low ? 36 : 48));
   const float gap = view.px(low ? 4 : 10);
   Rect ends = rest.cut_bottom(view.button(48));
   rest.cut_bottom(gap);
   foot_ = rest.cut_bottom(view.px(28));
-  // In a low window the lines move together.
-  const float pitch =
-      std::min(view.button(48) + view.px(8), rest.h / static_cast<float>(all_commands.size()));
-  for (const Command command : all_commands)
-    buttons_.place(view, id_of(command),
-                   rest.cut_top(pitch).inset(0, view.px(low          ? 1
-                                                        : view.touch ? 2
-                                                                     : 4)));
+  const std::size_t rows = (all_commands.size() + columns - 1) / columns;
+  const float pitch = std::min(view.button(48) + view.px(8), rest.h / static_cast<float>(rows));
+  const float width =
+      (rest.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  const float between = view.px(low ? 1 : view.touch ? 2 : 4);
+  Rect row;
+  for (const Command command : all_commands) {
+    if (id_of(command) % columns == 0) row = rest.cut_top(pitch).inset(0, between);
+    buttons_.place(view, id_of(command), row.cut_left(width));
+    row.cut_left(gap);
+  }
+  buttons_.set_columns(columns);
   buttons_.place(view, defaults, ends.cut_left((ends.w - gap) / 2));
   ends.cut_left(gap);
   buttons_.place(view, back, ends);

@@ -12,6 +12,7 @@
 #include "app/screens/opponent_list.hpp"
 #include "app/screens/replay_list.hpp"
 #include "app/screens/replay_screen.hpp"
+#include "app/screens/review_screen.hpp"
 #include "app/screens/settings_screen.hpp"
 #include "app/screens/title_screen.hpp"
 
@@ -58,7 +59,13 @@ struct Maker {
   Made operator()(Watch& watch) const {
     auto player = replay::Player::create(std::move(watch.replay));
     if (!player) return nullptr;  // a game that has outgrown every limit
-    return std::make_unique<ReplayScreen>(words, session, std::move(player).value());
+    return std::make_unique<ReplayScreen>(words, session, std::move(player).value(), watch.turn,
+                                          watch.better);
+  }
+  Made operator()(ShowReview& show) const {
+    auto review = GameReview::begin(std::move(show.replay), error_of(session.settings.get().hand));
+    if (!review) return nullptr;
+    return std::make_unique<ReviewScreen>(words, session, std::move(*review));
   }
   Made operator()(const ShowSettings& show) const {
     return std::make_unique<SettingsScreen>(words, session, show.page);
@@ -80,6 +87,7 @@ bool lies_over(const Navigation& request) {
   return std::holds_alternative<Watch>(request) || std::holds_alternative<ShowSettings>(request) ||
          std::holds_alternative<ShowHelp>(request) ||
          std::holds_alternative<ShowNewGame>(request) ||
+         std::holds_alternative<ShowReview>(request) ||
          std::holds_alternative<ShowOpponents>(request);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/input/input.hpp"
 #include "app/play/session.hpp"
 #include "app/widgets/dialog.hpp"
+#include "search/simulation.hpp"
 
 /// Requests by which one screen leads to another. A request carries all that it needs; App applies
 /// it to the stack of screens.
@@ -67,6 +69,12 @@ struct ShowReplays {};
 // Requests for a screen over the others.
 struct Watch {
   replay::Replay replay;
+  std::optional<std::size_t> turn{};     ///< it begins there, standing still
+  std::optional<search::Shot> better{};  ///< than that turn's, to be seen before it
+};
+/// What each shot of a game of billiards was worth.
+struct ShowReview {
+  replay::Replay replay;
 };
 struct ShowSettings {
   std::size_t page = 0;
@@ -80,8 +88,9 @@ struct ShowOpponents {};
 /// Ends the program.
 struct Quit {};
 
-using Navigation = std::variant<Stay, Back, Ask, Answer, ShowTitle, PlayBilliards, ShowLevels,
-                                PlayLevel, ShowSavedGames, Load, Resume, ShowReplays, Watch,
-                                ShowSettings, ShowHelp, ShowNewGame, ShowOpponents, Quit>;
+using Navigation =
+    std::variant<Stay, Back, Ask, Answer, ShowTitle, PlayBilliards, ShowLevels, PlayLevel,
+                 ShowSavedGames, Load, Resume, ShowReplays, Watch, ShowReview, ShowSettings,
+                 ShowHelp, ShowNewGame, ShowOpponents, Quit>;
 
 }  // namespace app

@@ -74,10 +74,10 @@ void NewGame::resize(const View& view) {
   constexpr std::array tips{Text::about_who_plays, Text::about_opponent,  Text::about_match,
                             Text::about_rack,      Text::about_keep_turn, Text::about_touch_red,
                             Text::tip_billiards,   Text::tip_close_help};
-  const std::vector<Button> rows = this->rows();
+  const std::vector<Button> in_rows = rows();
   std::vector<Buttons::Button> shown;
-  for (const Button button : rows) shown.push_back({button});
-  shown.insert(shown.end(), {{start}, {back}});
+  for (const Button button : in_rows) shown.push_back({button});
+  for (const Button button : {start, back}) shown.push_back({button});
   Buttons buttons(std::move(shown), start);
   buttons.keep_focus(buttons_);
   buttons_ = std::move(buttons);
@@ -92,9 +92,10 @@ void NewGame::resize(const View& view) {
   const float pitch = high + view.px(gap);
   // In a low window two stand side by side, and the title lower.
   const auto lines_of = [&](std::size_t columns) {
-    return static_cast<float>((rows.size() + columns - 1) / columns + 1);
+    return static_cast<float>((in_rows.size() + columns - 1) / columns + 1);
   };
-  const std::size_t columns = view.height < around + lines_of(1) * pitch ? 2 : 1;
+  const bool low = view.height < around + lines_of(1) * pitch;
+  const std::size_t columns = low && view.width >= view.px(620) ? 2 : 1;
   const float height = std::min(around + lines_of(columns) * pitch, view.height);
   const float step = std::min(pitch, (height - around) / lines_of(columns));
   const float least = std::min(high, step - view.px(4));
@@ -105,12 +106,12 @@ void NewGame::resize(const View& view) {
   title_ = rest.cut_top(view.px(title_height)).inset(0, view.px(4));
   const float half = (rest.w - view.px(gap)) / 2;
   Rect line;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < in_rows.size(); ++i) {
     if (i % columns == 0) {
       line = rest.cut_top(step);
       line.h = least;
     }
-    buttons_.place(view, rows[i], columns == 1 ? line : line.cut_left(half));
+    buttons_.place(view, in_rows[i], columns == 1 ? line : line.cut_left(half));
     if (columns == 2) line.cut_left(view.px(gap));
   }
   Rect row = rest.cut_top(least);

@@ -17,9 +17,9 @@ namespace {
 constexpr float margin = 12;
 constexpr float gap = 6;
 constexpr float row_height = 46;
-constexpr float most_width = 640;     ///< of a column
-constexpr float beside_width = 400;   ///< of a row: less has its two texts above each other
-constexpr float columns_width = 620;  ///< of the window, for two
+constexpr float most_width = 640;    ///< of a column
+constexpr float beside_width = 400;  ///< of a row: less has its two texts above each other
+constexpr float face_room = 280;     ///< of a row that has room for a face
 constexpr float note_height = 44;
 constexpr float face_width = 40;
 
@@ -40,11 +40,10 @@ OpponentList::OpponentList(const Words& words, Session& session)
 
 void OpponentList::resize(const View& view) {
   Rect rest = view.area().inset(view.px(margin), view.px(margin / 2));
-  const bool columns = view.width > view.height && view.width >= view.px(columns_width) &&
-                       view.height < view.px(2 * levels * (row_height + gap) / 2 + 160);
+  const bool columns = view.width > view.height;
   rest = centered(rest.center(),
                   std::min(rest.w, view.px(columns ? 1.5f * most_width : most_width)), rest.h);
-  Rect head = rest.cut_top(view.button(44) + view.px(8)).inset(0, view.px(4));
+  Rect head = rest.cut_top(view.button(44) + 2 * view.px(4)).inset(0, view.px(4));
   buttons_.place(view, back, head.cut_right(view.px(104)));
   head.cut_right(view.px(gap));
   title_ = head;
@@ -63,6 +62,7 @@ void OpponentList::resize(const View& view) {
     const auto id = static_cast<ButtonId>(level);
     buttons_.place(view, id, {rest.x + column * (width + space), rest.y + row * step, width, high});
     buttons_.relabel(id, ranked(words_, level));
+    buttons_.explain(id, words_(Text::about_opponent));
   }
   buttons_.relabel(back, words_(Text::help_back));
   buttons_.explain(back, words_(Text::tip_close_help));
@@ -80,20 +80,29 @@ Navigation OpponentList::event(const Input& input) {
   return Back{};
 }
 
+namespace {
+
+/// Exact hands have horns.
+void draw_face(DrawList& list, const Rect& box, float most, int level) {
+  const Point center = box.center();
+  const float radius = std::min(most, box.h * 0.38f);
+  const bool horns = level >= first_with_horns;
+  if (horns) draw_horns(list, center, radius);
+  draw_ball(list, center, radius, look_of(horns ? BallKind::stone : BallKind::red, *list.palette));
+  if (horns)
+    draw_villain_face(list, center, radius);
+  else
+    draw_angry_face(list, center, radius);
+}
+
+}  // namespace
+
 void OpponentList::draw_level(Canvas& canvas, int level) const {
   const auto id = static_cast<ButtonId>(level);
   const Buttons::Look look = buttons_.draw_face(canvas, id);
   Rect rest = look.box.inset(canvas.px(6), canvas.px(2));
-  const Point center = rest.cut_left(canvas.px(face_width)).center();
-  const float radius = std::min(canvas.px(14), rest.h * 0.38f);
-  if (level >= first_with_horns) draw_horns(canvas.list, center, radius);
-  draw_ball(
-      canvas.list, center, radius,
-      look_of(level >= first_with_horns ? BallKind::stone : BallKind::red, *canvas.list.palette));
-  if (level >= first_with_horns)
-    draw_villain_face(canvas.list, center, radius);
-  else
-    draw_angry_face(canvas.list, center, radius);
+  if (rest.w >= canvas.px(face_room))
+    draw_face(canvas.list, rest.cut_left(canvas.px(face_width)), canvas.px(14), level);
   rest.cut_left(canvas.px(4));
   const std::string name = ranked(words_, level);
   const std::string facts = facts_of(words_, level);

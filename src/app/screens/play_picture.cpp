@@ -3,6 +3,7 @@
 #include "app/graphics/palette.hpp"
 #include "app/hud/aim_view.hpp"
 #include "app/hud/cue_view.hpp"
+#include "app/hud/hint_view.hpp"
 #include "app/hud/loupe.hpp"
 #include "app/screens/next_offer.hpp"
 #include "app/screens/place_ball.hpp"
@@ -24,6 +25,7 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
   if (canvas.shake) effects_.shake(list, begin, layout_.world);
   const auto* launcher = std::get_if<Launcher>(&state_);
   if (launcher) draw_launcher(canvas, *launcher);
+  if (hint_) draw_hint(canvas, layout_.world, viewport(), game().world(), *hint_, words_);
   if (const auto* computer = std::get_if<ComputerTurn>(&state_)) draw_computer(canvas, *computer);
   const auto* waiting = std::get_if<Waiting>(&state_);
   if (waiting) draw_waiting(canvas, *waiting, false);
@@ -42,8 +44,10 @@ void PlayScreen<Game, Waiting>::draw(Canvas& canvas) const {
     footer.slides = way == AimWay::apart || way == AimWay::turn;
     footer.shoot = launcher->offers_shot(way, touch_);
     footer.fine = launcher->offers_fine(way);
+    footer.hint_button = offers_hint();
   }
   draw_footer(canvas, layout_.footer, footer, words_);
+  if (footer.hint_button) hint_button_.draw(canvas, 18);
 }
 
 template <class Game, class Waiting>

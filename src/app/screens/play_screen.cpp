@@ -35,6 +35,9 @@ void PlayScreen<Game, Waiting>::resize(const View& view) {
   if (played_.practice())
     strip_.resize(view, layout_.world.cut_bottom(PracticeStrip::height(view)));
   resize_bar(layout_.bar);
+  hint_button_.place(view, 0, shoot_button(view, layout_.footer));
+  hint_button_.relabel(0, words_(Text::key_hint));
+  hint_button_.explain(0, words_(Text::tip_hint));
   world_view_.fit(layout_.world, view.px(8));
   session_.sounds.turn(viewport().turned());
   pointer_ = viewport().to_window(pointed);
@@ -54,10 +57,10 @@ Navigation PlayScreen<Game, Waiting>::event(const Input& input) {
     pointer_ = press->at;
     touch_ = press->touch;
   }
-  for (const auto part :
-       {&PlayScreen::change_speed, &PlayScreen::aim,
-        static_cast<Handled (PlayScreen::*)(const Input&)>(&PlayScreen::practise), &PlayScreen::act,
-        &PlayScreen::move_focus, &PlayScreen::press_bar, &PlayScreen::command})
+  for (const auto part : {&PlayScreen::change_speed, &PlayScreen::aim,
+                          static_cast<Handled (PlayScreen::*)(const Input&)>(&PlayScreen::practise),
+                          &PlayScreen::act, &PlayScreen::move_focus, &PlayScreen::press_hint,
+                          &PlayScreen::press_bar, &PlayScreen::command})
     if (Handled handled = (this->*part)(input)) return std::move(*handled);
   return Stay{};
 }
@@ -90,6 +93,36 @@ auto PlayScreen<Game, Waiting>::aim(const Input& input) -> Handled {
   return launcher->held() && is_press_of_key(input) ? Handled(Stay{}) : std::nullopt;
 }
 
+/// By its button, or by the key at any time while the player aims.
+template <class Game, class Waiting>
+auto PlayScreen<Game, Waiting>::press_hint(const Input& input) -> Handled {
+  const bool key = is_command(input, Command::hint) && std::holds_alternative<Launcher>(state_);
+  if (!key && !(offers_hint() && hint_button_.event(input, session_.sounds))) return std::nullopt;
+  ask_hint();
+  return Stay{};
+}
+
+/// As long as nothing is aimed: then the button that shoots takes the place.
+template <class Game, class Waiting>
+bool PlayScreen<Game, Waiting>::offers_hint() const {
+  const auto* launcher = std::get_if<Launcher>(&state_);
+  return launcher && launcher->stance() == Launcher::Stance::idle;
+}
+
+template <class Game, class Waiting>
+void PlayScreen<Game, Waiting>::ask_hint() {
+  effects_.end_announcement();
+  if (!hint_) {
+    auto hint = Hint::begin(game(), error_of(session_.settings.get().hand));
+    if (!hint) return;
+    hint_.emplace(std::move(*hint));
+    ++hints_;
+  } else {
+    hint_->more();
+  }
+  if (hint_->tells(Hint::Step::aim)) std::get<Launcher>(state_).show(hint_->aim());
+}
+
 template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::practise(const Input& input) -> Handled {
   // Before the window of the end opens only these two: the others would change what is not seen.
@@ -111,9 +144,10 @@ auto PlayScreen<Game, Waiting>::act(const Input& input) -> Handled {
 
 template <class Game, class Waiting>
 auto PlayScreen<Game, Waiting>::move_focus(const Input& input) -> Handled {
-  const bool moved = Buttons::move_focus(
-      {&bar().buttons(), played_.practice() ? &strip_.buttons() : nullptr, waiting_buttons()},
-      input);
+  const bool moved =
+      Buttons::move_focus({&bar().buttons(), played_.practice() ? &strip_.buttons() : nullptr,
+                           waiting_buttons(), offers_hint() ? &hint_button_ : nullptr},
+                          input);
   return moved ? Handled(Stay{}) : std::nullopt;
 }
 
@@ -170,6 +204,7 @@ void PlayScreen<Game, Waiting>::show_anew() {
 template <class Game, class Waiting>
 void PlayScreen<Game, Waiting>::follow_phase() {
   phase_ = game().phase();
+  hint_.reset();
   if (!continues()) {
     interpolator_.restart(game().world());
     clock_.reset();
@@ -178,7 +213,7 @@ void PlayScreen<Game, Waiting>::follow_phase() {
   const Doing now = doing();
   if (now == Doing::aim || now == Doing::wait)
     if (auto turn = computer_turn()) {
-      state_ = std::move(*turn);
+      state_.template emplace<ComputerTurn>(std::move(*turn));
       return;
     }
   switch (now) {
@@ -222,6 +257,7 @@ Navigation PlayScreen<Game, Waiting>::iterate(nanoseconds elapsed) {
   const Speed speed = game_speed_.pass(elapsed);
   effects_.advance(speed.quarters < 4 ? elapsed * speed.quarters / 4 : elapsed);
   if (auto* launcher = std::get_if<Launcher>(&state_)) launcher->advance(elapsed);
+  if (hint_) hint_->advance(elapsed, session_.rollouts);
   if (auto* computer = std::get_if<ComputerTurn>(&state_))
     compute(*computer, elapsed * speed.quarters / 4);
   if (!moving()) return Stay{};
@@ -276,18 +312,20 @@ const carom::World& PlayScreen<Game, Waiting>::shown_world() const {
 template <class Game, class Waiting>
 bool PlayScreen<Game, Waiting>::on_button() const {
   return bar().has_button_at(pointer_, touch_) ||
+         (offers_hint() && hint_button_.cover(pointer_, touch_)) ||
          (played_.practice() && strip_.has_button_at(pointer_, touch_));
 }
 
 template <class Game, class Waiting>
 bool PlayScreen<Game, Waiting>::focus_elsewhere() const {
-  return bar().buttons().has_focus() || strip_.buttons().has_focus();
+  return bar().buttons().has_focus() || strip_.buttons().has_focus() || hint_button_.has_focus();
 }
 
 template <class Game, class Waiting>
 void PlayScreen<Game, Waiting>::blur() {
   bar().buttons().blur();
   strip_.buttons().blur();
+  hint_button_.blur();
 }
 
 template <class Game, class Waiting>
@@ -330,7 +368,7 @@ bool PlayScreen<Game, Waiting>::animating() const {
   const auto* launcher = std::get_if<Launcher>(&state_);
   return !game_speed_.paused() &&
          (moving() || effects_.active() || (launcher && launcher->charging()) ||
-          std::holds_alternative<ComputerTurn>(state_));
+          std::holds_alternative<ComputerTurn>(state_) || (hint_ && hint_->searching()));
 }
 
 template class PlayScreen<games::billiards::Game, PlaceBall>;

@@ -13,6 +13,7 @@
 #include "app/play/computer_turn.hpp"
 #include "app/play/foresight.hpp"
 #include "app/play/game_speed.hpp"
+#include "app/play/hint.hpp"
 #include "app/play/launcher.hpp"
 #include "app/play/played.hpp"
 #include "app/play/preview.hpp"
@@ -66,7 +67,7 @@ class PlayScreen : public Screen {
   using Handled = std::optional<Navigation>;
   enum class Doing : std::uint8_t { aim, watch, wait, over };
   /// The end window's buttons.
-  enum EndButton : ButtonId { go_on, again, watch, leave, take_back, repeat };
+  enum EndButton : ButtonId { go_on, again, watch, leave, take_back, repeat, review };
 
   enum Reply : ButtonId { yes, no };
   /// The pause menu's buttons.
@@ -146,6 +147,7 @@ class PlayScreen : public Screen {
   void blur();
   void keep();
   std::string end_title() const { return std::get<Over>(state_).dialog.title(); }
+  int hints() const { return hints_; }
   /// Again, then the replay or in practice back by a shot.
   std::vector<Dialog::Button> end_buttons(Text again_label = Text::play_again) const;
   bool thinking() const {
@@ -174,6 +176,7 @@ class PlayScreen : public Screen {
   Handled act(const Input& input);
   Handled move_focus(const Input& input);
   Handled press_bar(const Input& input);
+  Handled press_hint(const Input& input);
   Handled command(const Input& input);
 
   Navigation pause();
@@ -186,6 +189,9 @@ class PlayScreen : public Screen {
   Navigation finish(ButtonId button);
   void practise(const PracticeCommand& command);
   void show_anew();
+  /// Shows more of a good shot.
+  void ask_hint();
+  bool offers_hint() const;
   void step();
   void compute(ComputerTurn& turn, nanoseconds elapsed);
   const carom::World& shown_world() const;
@@ -201,6 +207,9 @@ class PlayScreen : public Screen {
   Window window_{};           ///< that was opened last
   UserBar::Command asked_{};  ///< the subject of a question
   Runout<Game> runout_;
+  std::optional<Hint> hint_;  ///< of this launch
+  Buttons hint_button_{std::vector<Buttons::Button>{{0}}};
+  int hints_ = 0;  ///< asked for, in this game
   Clock clock_;
   GameSpeed game_speed_;
   Foresight<Game> foresight_;

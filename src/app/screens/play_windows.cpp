@@ -119,6 +119,7 @@ Navigation PlayScreen<Game, Waiting>::obey(UserBar::Command command) {
   }
   if (start_again()) {
     game_speed_.new_game();
+    hints_ = 0;
     show_anew();
     announce_start();
   }
@@ -136,6 +137,8 @@ Navigation PlayScreen<Game, Waiting>::finish(ButtonId button) {
       return obey(UserBar::Command::close);
     case watch:
       return Watch{played_.recorder().replay()};
+    case review:
+      return ShowReview{played_.recorder().replay()};
     case take_back:
       practise(TakeBack{});
       break;

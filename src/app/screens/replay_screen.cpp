@@ -6,6 +6,7 @@
 #include "app/graphics/label.hpp"
 #include "app/graphics/palette.hpp"
 #include "app/graphics/shapes.hpp"
+#include "app/hud/shot_view.hpp"
 #include "app/screens/load_screen.hpp"
 #include "app/screens/replay_list.hpp"
 #include "app/screens/timeline.hpp"
@@ -35,10 +36,15 @@ bool tight(const View& view) { return view.width < view.px(960); }
 
 }  // namespace
 
-ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player player)
+ReplayScreen::ReplayScreen(const Words& words, Session& session, replay::Player player,
+                           std::optional<std::size_t> turn, std::optional<search::Shot> better)
     : words_(words.with_computers(player.replay().occasion.computer)),
       session_(session),
       player_(std::move(player)),
+      better_turn_(turn),
+      better_(better),
+      wanted_(turn),
+      playing_(!turn),
       speed_(first_speed),
       buttons_({{previous, words(Text::previous_turn), words(Text::tip_previous_turn)},
                 {play, words(Text::pause), words(Text::tip_play)},
@@ -296,6 +302,14 @@ void ReplayScreen::draw(Canvas& canvas) const {
   draw_bottom(canvas);
 }
 
+void ReplayScreen::draw_better(Canvas& canvas) const {
+  const bool there = better_ && !wanted_ && player_.turn() == better_turn_ &&
+                     player_.steps() == player_.turns()[*better_turn_].first_step;
+  if (there)
+    draw_shot(canvas.list, world_view_.viewport(), std::get<games::billiards::Game>(player_.game()),
+              *better_, previewer_);
+}
+
 void ReplayScreen::draw_world(Canvas& canvas) const {
   DrawList& list = canvas.list;
   const std::size_t begin = list.vertices.size();
@@ -306,6 +320,7 @@ void ReplayScreen::draw_world(Canvas& canvas) const {
   world_view_.draw_moving(canvas, replay::world(player_.game()), interpolator_,
                           playing_ ? clock_.fraction() : 1);
   if (canvas.shake) effects_.shake(list, begin, world_view_.area());
+  draw_better(canvas);
   effects_.draw_over_balls(canvas, viewport, world_view_.area().inset(canvas.px(4)),
                            replay::world(player_.game()));
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/play/clock.hpp"
+#include "app/play/preview.hpp"
 #include "app/play/session.hpp"
 #include "app/screens/screen.hpp"
 #include "app/text/text.hpp"
@@ -12,6 +13,7 @@
 #include "app/view/world_view.hpp"
 #include "app/widgets/widgets.hpp"
 #include "replay/player.hpp"
+#include "search/simulation.hpp"
 
 namespace app {
 
@@ -19,7 +21,10 @@ namespace app {
 /// as it was recorded.
 class ReplayScreen final : public Screen {
  public:
-  ReplayScreen(const Words& words, Session& session, replay::Player player);
+  /// `turn`: begins there, standing still, and shows a shot `better` than that turn's as long as it
+  /// stands there.
+  ReplayScreen(const Words& words, Session& session, replay::Player player,
+               std::optional<std::size_t> turn = {}, std::optional<search::Shot> better = {});
 
   void resize(const View& view) override;
   Navigation event(const Input& input) override;
@@ -40,6 +45,7 @@ class ReplayScreen final : public Screen {
   void copy();
   Navigation press(ButtonId button);
 
+  void draw_better(Canvas& canvas) const;
   void draw_world(Canvas& canvas) const;
   void draw_top(Canvas& canvas) const;
   void draw_bottom(Canvas& canvas) const;
@@ -52,6 +58,9 @@ class ReplayScreen final : public Screen {
   Words words_;
   Session& session_;
   replay::Player player_;
+  std::optional<std::size_t> better_turn_;
+  std::optional<search::Shot> better_;
+  mutable Previewer previewer_;
   bool complete_ = false;              ///< the look-ahead has seen all there is
   std::optional<std::size_t> wanted_;  ///< a turn to go to as soon as it is reached
   bool playing_ = true;

@@ -47,6 +47,13 @@ constexpr SettingsRow name() {
       nullptr,          Player};
 }
 
+std::string hand_in(const Words& words, Steadiness hand) {
+  if (hand == Steadiness::exact) return words(Text::hand_exact);
+  const double error = error_of(hand);
+  return words(Text::hand_px,
+               {error < 1 ? words.tenths(error) : words.number(static_cast<std::int64_t>(error))});
+}
+
 constexpr std::array general{
     SettingsRow{Kind::choice, Text::set_language, Text::about_language,
                 [](const Words& words, const Settings& now) {
@@ -115,7 +122,9 @@ constexpr std::array players{
                                                                : Text::breaks_loser);
                 },
                 [](Settings& now, int by) { turn(now.breaks, 4, by); }},
-    yes_or_no<&Settings::keep_turn>(Text::set_keep_turn, Text::about_keep_turn),
+    SettingsRow{Kind::choice, Text::set_hand, Text::about_hand,
+                [](const Words& words, const Settings& now) { return hand_in(words, now.hand); },
+                [](Settings& now, int by) { turn(now.hand, 7, by); }},
 };
 
 constexpr std::array<SettingsPage, settings_pages> pages{{

@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 4> previews{"off", "contact", "short", "f
 constexpr std::array<std::string_view, 3> all_seats{"two", "computer", "alone"};
 constexpr std::array<std::string_view, 3> matches{"1", "3", "5"};
 constexpr std::array<std::string_view, 2> racks{"classic", "quick"};
+constexpr std::array<std::string_view, 7> hands{"exact", "0.5", "1", "2", "4", "8", "15"};
 constexpr std::array<std::string_view, 4> breakers{"player-1", "player-2", "alternate", "loser"};
 
 // Both directions go by the same list of keys: `visit` is called with each key and its value.
@@ -148,6 +149,7 @@ void visit_all(Any& settings, Visit& visit) {
   visit("touch-red", settings.touch_red);
   visit("opponent", settings.opponent, 1, replay::most_computer);
   visit("match", settings.match, matches);
+  visit("hand", settings.hand, hands);
   visit("go-on", settings.go_on);
   visit("go-on-offered", settings.go_on_offered);
   visit("quick-rolling", settings.quick_rolling);

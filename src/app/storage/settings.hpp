@@ -36,6 +36,14 @@ enum class Seats : std::uint8_t {
 enum class BestOf : std::uint8_t { one, three, five };
 constexpr int games_of(BestOf match) { return 2 * static_cast<int>(match) + 1; }
 
+/// How far a player's drags miss: 1 standard deviation along the drag and across it.
+enum class Steadiness : std::uint8_t { exact, half, one, two, four, eight, fifteen };
+/// px of the world.
+constexpr double error_of(Steadiness hand) {
+  constexpr std::array errors{0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 15.0};
+  return errors[static_cast<std::size_t>(hand)];
+}
+
 inline constexpr int most_volume = 100;
 inline constexpr std::size_t max_settings = 64 << 10;  ///< bytes of a file
 inline constexpr std::size_t longest_name = 24;        ///< code points
@@ -61,6 +69,7 @@ struct Settings {
   bool touch_red = false;  ///< a shot that touches no red gives the cue ball away
   int opponent = 3;        ///< level of the computer, 1 to replay::most_computer
   BestOf match = BestOf::one;
+  Steadiness hand = Steadiness::two;  ///< what hints take the player's for
   // The pace.
   bool go_on = false;          ///< the next throw comes by itself when nothing can change any more
   bool go_on_offered = false;  ///< the player was asked about it

@@ -47,11 +47,16 @@ std::optional<std::size_t> PagedList::page_of(ButtonId button) const {
 
 void PagedList::draw(Canvas& canvas) const {
   for (const Buttons::Button& button : buttons.all())
-    if (button.id >= previous) buttons.draw_one(canvas, button.id, 18);
-  if (pages() > 1)
-    label(canvas, label_, {Face::bold, 16, palette::cream, Align::center},
-          words_(Text::page, {words_.number(static_cast<int>(page_) + 1),
-                              words_.number(static_cast<int>(pages()))}));
+    if (button.id >= first_own) buttons.draw_one(canvas, button.id, 18);
+  draw_pager(canvas);
+}
+
+void PagedList::draw_pager(Canvas& canvas) const {
+  if (pages() == 1) return;
+  for (const Button turn : {previous, next}) buttons.draw_one(canvas, turn, 18);
+  label(canvas, label_, {Face::bold, 16, palette::cream, Align::center},
+        words_(Text::page, {words_.number(static_cast<int>(page_) + 1),
+                            words_.number(static_cast<int>(pages()))}));
 }
 
 }  // namespace app

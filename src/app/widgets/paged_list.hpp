@@ -37,6 +37,8 @@ class PagedList {
 
   /// All buttons but the items, and which page it is.
   void draw(Canvas& canvas) const;
+  /// Of these only what turns the pages.
+  void draw_pager(Canvas& canvas) const;
 
   Buttons buttons;
 

@@ -10,17 +10,29 @@
 namespace app {
 namespace {
 
+constexpr float tip_height = 28;  ///< units, of one line
+
 const TextStyle tip_style{Face::regular, 16, palette::cream, Align::center};
 
 void draw_at(Canvas& canvas, const Rect& box, std::string_view text) {
   fill_rounded(canvas.list, box, canvas.px(6), palette::slate_bottom);
   stroke_rounded(canvas.list, box, canvas.px(6), canvas.px(1), palette::brass);
-  label(canvas, box.inset(canvas.px(8), 0), tip_style, text);
-  canvas.list.boxes.back().kind = Box::Kind::tip;
+  const std::size_t first = canvas.list.boxes.size();
+  const Rect inside = box.inset(canvas.px(8), 0);
+  if (box.h > canvas.px(tip_height))
+    paragraph(canvas, inside.inset(0, canvas.px(2)), tip_style, text);
+  else
+    label(canvas, inside, tip_style, text);
+  for (std::size_t i = first; i < canvas.list.boxes.size(); ++i)
+    canvas.list.boxes[i].kind = Box::Kind::tip;
 }
 
+/// On two lines if one is too long for the window.
 Rect box_of(const Canvas& canvas, Point middle, std::string_view text) {
-  return centered(middle, label_width(canvas, tip_style, text) + canvas.px(20), canvas.px(28));
+  const float width = label_width(canvas, tip_style, text) + canvas.px(20);
+  const float most = canvas.view.width - 2 * canvas.px(4);
+  return width <= most ? centered(middle, width, canvas.px(tip_height))
+                       : centered(middle, most, canvas.px(2 * tip_height - 6));
 }
 
 }  // namespace
@@ -55,9 +67,7 @@ void draw_tip(Canvas& canvas) {
 
 void draw_note(Canvas& canvas, Point middle, std::string_view text) {
   const Rect window = canvas.view.area().inset(canvas.px(4));
-  Rect box = box_of(canvas, middle, text);
-  box.w = std::min(box.w, window.w);
-  draw_at(canvas, kept_inside(box, window), text);
+  draw_at(canvas, kept_inside(box_of(canvas, middle, text), window), text);
 }
 
 }  // namespace app
