@@ -22,7 +22,7 @@ bool has_computer(const replay::Occasion& occasion) {
   return std::ranges::any_of(occasion.computer, [](int level) { return level > 0; });
 }
 
-BilliardsRecorder begin(Session& session, const Options& options, replay::Occasion occasion) {
+BilliardsRecorder begun(Session& session, const Options& options, replay::Occasion occasion) {
   occasion.seed = has_computer(occasion) ? session.fresh_seed() : 0;
   return {Game(options), occasion};
 }
@@ -36,14 +36,14 @@ BilliardsRecorder new_table(Session& session, bool practice) {
   replay::Occasion occasion;
   if (settings.seats == Seats::computer) occasion.computer[1] = settings.opponent;
   if (!alone) occasion.best_of = games_of(settings.match);
-  return begin(session, options_of(session, alone), occasion);
+  return begun(session, options_of(session, alone), occasion);
 }
 
 BilliardsRecorder same_table(Session& session, const BilliardsRecorder& played) {
   Options options = options_of(session, played.game().options().alone);
   // A match has an order of its own.
   if (played.occasion().best_of > 1) options.first_player = played.game().options().first_player;
-  return begin(session, options, played.occasion());
+  return begun(session, options, played.occasion());
 }
 
 BilliardsRecorder next_table(Session& session, const BilliardsRecorder& played,
@@ -54,7 +54,7 @@ BilliardsRecorder next_table(Session& session, const BilliardsRecorder& played,
   occasion.won = decided ? std::array{0, 0} : games_won(occasion, winner);
   // Who breaks has the harder turn: in a match it alternates.
   if (occasion.best_of > 1) options.first_player = 1 - played.game().options().first_player;
-  return begin(session, options, occasion);
+  return begun(session, options, occasion);
 }
 
 std::array<int, 2> games_won(const replay::Occasion& occasion, std::optional<int> winner) {

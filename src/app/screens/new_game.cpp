@@ -32,7 +32,7 @@ std::vector<NewGame::Button> NewGame::rows() const {
   const Seats seats = session_.settings.get().seats;
   if (seats == Seats::computer) rows.push_back(opponent);
   if (seats != Seats::alone) rows.push_back(match);
-  rows.insert(rows.end(), {rack, keep_turn, touch_red});
+  for (const Button rule : {rack, keep_turn, touch_red}) rows.push_back(rule);
   return rows;
 }
 
