@@ -36,9 +36,9 @@ void KeysPanel::relabel() {
 
 void KeysPanel::resize(const View& view, const Rect& area) {
   const bool low = view.height < view.px(480);
-  // In a low window two stand side by side.
-  const std::size_t columns = low ? 2 : 1;
-  Rect rest = centered(area.center(), std::min(area.w, view.px(low ? 640 : 440)), area.h);
+  // In a low window two stand side by side, if it is wide enough.
+  const std::size_t columns = low && view.width >= view.px(620) ? 2 : 1;
+  Rect rest = centered(area.center(), std::min(area.w, view.px(columns == 2 ? 640 : 440)), area.h);
   head_ = rest.cut_top(view.px(low ? 36 : 48));
   const float gap = view.px(low ? 4 : 10);
   Rect ends = rest.cut_bottom(view.button(48));
