@@ -49,7 +49,7 @@ LevelGames play_level(const LevelGame& level, const std::optional<LevelPlayer>& 
       const carom::Vec2 drag =
           player ? found_drag(game, *player, game_seed, turn, rollouts) : random_drag(random);
       if (!game.apply(games::angry_balls::Throw{drag})) break;
-      while (game.phase() == Phase::fly) game.step();
+      while (game.phase() == Phase::fly) game.run(games::angry_balls::offer_steps);
       if (game.phase() == Phase::won) {
         ++result.won_in[static_cast<std::size_t>(turn)];
         result.scores.push_back(game.score());

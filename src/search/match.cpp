@@ -13,7 +13,7 @@ GameResult play_game(const std::array<Level, 2>& sides, int breaker, Seed seed,
   games::billiards::Game game;
   GameResult result;
   carom::Fnv1a hash;
-  for (int turn = 0; turn < most_turns && game.phase() != Phase::over; ++turn) {
+  for (int turn = 0; turn < most_turns && game.phase() != games::billiards::Phase::over; ++turn) {
     const std::size_t side = side_of(game.player());
     // The game waits for this player, and the table has room.
     Opponent opponent = Opponent::create(game, sides[side], player_seed(seed, game.player()),
@@ -27,7 +27,8 @@ GameResult play_game(const std::array<Level, 2>& sides, int breaker, Seed seed,
       hash.add(decision.meant.place->y);
     }
     if (!game.apply(Shoot{decision.drag})) break;
-    while (game.phase() == Phase::roll) game.run(games::billiards::max_turn_steps);
+    while (game.phase() == games::billiards::Phase::roll)
+      game.run(games::billiards::max_turn_steps);
     hash.add(decision.drag.x);
     hash.add(decision.drag.y);
     for (const int each : {0, 1}) hash.add(static_cast<std::uint64_t>(game.score(each)));

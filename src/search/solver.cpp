@@ -36,7 +36,7 @@ struct Node {
 /// Plays a throw; false once the game is over.
 bool play(LevelGame& game, const Aim& aim) {
   if (!game.apply(Throw{drag(aim)})) return false;
-  while (game.phase() == Phase::fly) game.step();
+  while (game.phase() == Phase::fly) game.run(games::angry_balls::offer_steps);
   return game.phase() == Phase::offer && game.apply(Next{}) && game.phase() == Phase::aim;
 }
 
