@@ -125,8 +125,9 @@ carom::Result<Generated> generate(const Order& order, carom::Rollouts& rollouts)
     games::Random random = random_of(order.seed, Use::generating, n);
     const Part first = order.first.value_or(static_cast<Part>(random.below(part_names.size())));
     // More parts are harder, on the whole.
-    const auto usual = static_cast<std::uint64_t>(std::lround(3 * order.difficulty));
-    carom::Scene level = assemble(first, 1 + usual + random.below(2), random);
+    const auto usual = static_cast<std::size_t>(std::lround(3 * order.difficulty));
+    carom::Scene level =
+        assemble(first, 1 + usual + static_cast<std::size_t>(random.below(2)), random);
     const auto difficulty = tuned(level, order.difficulty, random.next(), rollouts);
     if (!difficulty) continue;
     const std::string_view about = part_names[static_cast<std::size_t>(first)];

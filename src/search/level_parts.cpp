@@ -115,7 +115,8 @@ class Assembly {
                             .solidity = solidity});
   }
   void enemy(const Place& place, double bottom) {
-    ball(Role::enemy, place, bottom, enemy_solidities[random_.below(enemy_solidities.size())]);
+    ball(Role::enemy, place, bottom,
+         enemy_solidities[static_cast<std::size_t>(random_.below(enemy_solidities.size()))]);
   }
 
   double obstacle(double high) {

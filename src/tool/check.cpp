@@ -49,9 +49,9 @@ struct Checked {
 
 Winning find_winning(const games::angry_balls::Game& level) {
   // In ball-steps, as if every throw were watched to its end: some seconds at worst.
-  constexpr std::uint64_t most_work = 100'000'000;
+  constexpr std::uint64_t most_work = 30'000'000;
   constexpr std::uint64_t least = 20;  // simulations; fewer find nothing
-  constexpr std::uint64_t most = 20'000;
+  constexpr std::uint64_t most = 3'000;
   const std::uint64_t simulations =
       std::min(most, most_work / (level.world().size() * games::angry_balls::offer_steps));
   if (simulations < least) return {};

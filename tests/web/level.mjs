@@ -35,8 +35,8 @@ await withPage({ width: 1280, height: 720 }, async (game) => {
   });
   await game.waitFor("Verified");
   await game.click(934, 38); // Save
-  await game.until(() => game.stored("replays/replay-0001.json"));
-  check(await game.stored("replays/replay-0001.json") === recorded,
+  await game.until(() => game.stored("replays/replay-0001.angry-replay"));
+  check(await game.stored("replays/replay-0001.angry-replay") === recorded,
     "the browser's replay is not the desktop's");
 
   await game.reload();

@@ -20,8 +20,8 @@ await withPage({ width: 1280, height: 720 }, async (game, context) => {
   const shown = await game.waitFor("Verified");
   check(new URL(game.page.url()).hash === "", "the link stays in the address");
   await game.click(934, 38); // Save, with all bits of all hashes
-  await game.until(() => game.stored("replays/replay-0001.json"));
-  check(await game.stored("replays/replay-0001.json") === carom("replay", "--json", file),
+  await game.until(() => game.stored("replays/replay-0001.angry-replay"));
+  check(await game.stored("replays/replay-0001.angry-replay") === carom("replay", "--json", file),
     "the browser's hashes are not the desktop's");
   await game.press("Control+c");
   const copied = () => game.page.evaluate(() => navigator.clipboard.readText());

@@ -185,7 +185,7 @@ def continue_and_replay(window, data):
     window.wait_for("Verified")
     window.click(926, 38)  # Save
     end = time.monotonic() + 20
-    saved = data / "angry-balls" / "replays" / "replay-0001.json"
+    saved = data / "angry-balls" / "replays" / "replay-0001.angry-replay"
     while not saved.exists() and time.monotonic() < end:
         time.sleep(0.05)
     check(saved.exists() and saved.read_bytes() == replay.read_bytes(),
