@@ -36,7 +36,7 @@ namespace {
 struct Winning {
   search::Throws throws{};  ///< empty: none were found
   std::vector<search::Margin> margins{};
-  std::uint64_t simulations = 0;  ///< played to find them; 0: with so many balls it is not tried
+  std::uint64_t simulations = 0;  ///< played to find them; 0: it was not tried
 };
 
 /// The outcome for one level.
@@ -77,9 +77,13 @@ Checked check(const std::string& path) {
   games::angry_balls::LevelReport tried =
       games::angry_balls::level_report(level.value(), games::angry_balls::level_check_budget,
                                        [&busy](double part) { busy->set_part(part); });
+  // Of an enemy that no throw harms a search would say no more.
+  const bool hopeless = std::ranges::any_of(tried.warnings, [](const carom::Error& warning) {
+    return warning.problem.code == carom::MessageCode::is_out_of_reach;
+  });
   Checked checked{.warnings = carom::locate(bytes.value(), std::move(tried.warnings)),
                   .complete = tried.complete};
-  if (!tried.complete) return checked;
+  if (!tried.complete || hopeless) return checked;
   busy.reset();
   busy.emplace("looking for winning throws of " + shown_name(path));
   if (const auto game = games::angry_balls::Game::create(level.value()))
