@@ -77,13 +77,11 @@ Checked check(const std::string& path) {
   games::angry_balls::LevelReport tried =
       games::angry_balls::level_report(level.value(), games::angry_balls::level_check_budget,
                                        [&busy](double part) { busy->set_part(part); });
-  // Of an enemy that no throw harms a search would say no more.
-  const bool hopeless = std::ranges::any_of(tried.warnings, [](const carom::Error& warning) {
-    return warning.problem.code == carom::MessageCode::is_out_of_reach;
-  });
+  // First the warnings are to be seen to: what they tell of makes a search long, or useless.
+  const bool sound = tried.complete && tried.warnings.empty();
   Checked checked{.warnings = carom::locate(bytes.value(), std::move(tried.warnings)),
                   .complete = tried.complete};
-  if (!tried.complete || hopeless) return checked;
+  if (!sound) return checked;
   busy.reset();
   busy.emplace("looking for winning throws of " + shown_name(path));
   if (const auto game = games::angry_balls::Game::create(level.value()))
@@ -225,7 +223,7 @@ void add_check(CLI::App& carom, int& status) {
       "Says \"ok\", or every error with line, column, pointer and what was expected. Warns of "
       "what\n"
       "a player would hold against a sound level: balls that do not stay where they were put or\n"
-      "never come to rest, enemies that no throw can harm, lengths in metres. Then names throws "
+      "never come to rest, enemies that no throw can harm, lengths in metres. Of a level without warnings it names throws "
       "that\n"
       "win, the most robust it finds, with how much all of an aim may be off. Large levels are "
       "not\n"
